@@ -4,7 +4,7 @@
 
 Each line is a ratio of two times of one run, taken in turn, the median of at least five. Times are user CPU times of the
 processes unless the line says otherwise, so that other work on the machine enters the ratio little. The results replace
-the same lines of docs/performance.json, and docs/performance.md is written from it.
+the same lines of docs/performance.json. docs/performance.md shows ten of its rows; `performance.py --page` writes it alone.
 """
 import datetime
 import json
@@ -20,7 +20,7 @@ import time
 
 from measure import BIN, REPETITIONS, ROOT, line, output_and_seconds, ratios, user_seconds
 from peers import plate, rigid_bodies, rigid_body_peers, threads_beside_bullet
-from schedule_bench import NOTE, schedule
+from schedule_bench import schedule
 
 CASE = "experiments/validation/cone.toml"
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}  # of Google Benchmark
@@ -274,73 +274,71 @@ TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "many": ["b
            "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"], "sheets": ["bench_sheets"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
 
-NOTES = {"schedule": NOTE}  # above the figures of a line
-NOT_MEASURED = """**Bullet's threads.** `./dev bench threads_beside_bullet` builds Bullet 3.24 from the source of Debian's package, because Debian
-builds it without threads. It sets `BULLET2_MULTITHREADING` and double precision, and keeps Bullet's own compiler flags. The peer is
-`btDiscreteDynamicsWorldMt` with `btCollisionDispatcherMt`, `btSequentialImpulseConstraintSolverMt`, `btConstraintSolverPoolMt` and
-Bullet's default scheduler. Shapes, friction and iterations are the same as in `./dev bench growth`. So are the states: Bullet's world
-gets the program's state before each step.
+# The rows of the page: line, how its figure begins in performance.json, and its words for a reader.
+SHOWN = [
+    ("real_time", "simulated seconds per CPU second", "simulated seconds in a second of one core, validation case"),
+    ("coupled", "coupled step / Bullet's world", "a coupled step / a step of Bullet's own world with the same bodies"),
+    ("growth", "water and world / Bullet's own world over the same floes, 10000", "water and bodies of a step / Bullet's own world, $10^4$ floes of rubble"),
+    ("growth", "CPU time per floe and step, 10000", "a step for each floe of a pack of $10^4$ / of a pack of 100"),
+    ("growth", "CPU time of a step, 10^4 floes of rubble, all asleep", "a step of $10^4$ floes asleep / awake"),
+    ("threads", "wall time of a step on one thread / on two, 10000", "wall time on one thread / on two, $10^4$ floes"),
+    ("length", "CPU time of the first 10 s in 500 m", "a run in 500 m of ice / in 50 m"),
+    ("geometry", "crack event on an edge of 100000 vertices: kernel / boost",
+     "a crack on an edge of $10^5$ vertices / the fastest peer, Boost.Geometry"),
+    ("plate", "6 plates with mesh", "a plate solution / FreeFem++ at equal accuracy"),
+    ("rigid_bodies", "174 floes, every engine within 5 mm and 1 %: program / ODE",
+     "a pack of 174 floes that comes to rest / ODE at equal accuracy"),
+]
 
-The program gives the same bits on any number of threads. Bullet's result depends on the number of threads, and on two threads it
-differs from run to run. Its dispatcher lists contacts by the thread that finds them. Its solver numbers bodies in the order in
-which threads reach them. On one thread, two runs of 300 and of 3072 floes agreed in every bit.
+INTRODUCTION = """# Performance
 
-Bullet's threads spin while they wait. Its scheduler waits 0.1 s for a thread and then goes on without its result. So Bullet's times
-on two threads mean little on a machine that others use.
+*How fast is the program, beside which programs, and what limits it?*
 
-**Siconos and Yade** were not run on the pack of 174 floes that ODE steps above. Single steps show that they take a minute and
-more for each simulated second.
+A figure "A / B" is the time of A over the time of B, both from one run on one machine. Times are user CPU times, unless a
+row says otherwise. A value is the median of at least 5 samples, with their range in brackets.
+"""
 
-**Growth with large packs.** Counted in instructions, a floe costs little more in a large pack. The command is
-`valgrind --tool=callgrind --toggle-collect='brash::rigid_body::World::step*'
---toggle-collect='brash::simulation::FloeWater::apply(*' build/valgrind/bin/bench_growth 4 N`, for each of the floes of all
-its packs, built by `./dev build valgrind`:
+NOTES = """![Speed-up over threads, where their time goes, and a step on 8 and on 16 threads](figures/schedule.svg)
 
-| floes | instructions for each floe, relative to 100 floes |
-|---|---|
-| 1000 | 1.05 |
-| 10^4 | 1.10 |
+*Speed-up of one step of rubble on many threads, by simulation. The parts between loops limit a large pack, and the few strips
+of the solver limit a small one. Dashes are the critical path. A shade reaches down to exchanges between cores that cost 5
+times as much.*
 
-Floes at a pack's rim have fewer neighbours, which makes 7 to 8 of these hundredths. Bullet's tree of boxes grows by its logarithm.
+`./dev bench schedule` records the time of each chunk of each loop on one thread, and lets threads share the chunks as `Workers`
+does. The simulation leaves out shared caches, slower processors under load, threads that share a core, and the system's own
+scheduling. `./dev bench threads` measures two threads.
 
-The rest of the growth is memory. In each of its 30 sweeps the solver reads 64 bytes for each contact point. It reads 260 more for each
-point that bears, at most a third of them. Beyond some hundred floes these bytes no longer fit a core's own cache. Other passes fetch
-as much from memory. The effect depends on the processor's caches and on the other programs that share them. Bullet's own world grows
-more.
+## Limits of the comparisons
 
-These remedies were tried:
+- **ODE.** With ice that does not crush the program is faster than ODE on this pack. Siconos and Yade take a minute and more
+  for each simulated second of it, so they were compared on 13 floes (`./dev bench rigid_body_peers`).
+- **Bullet's threads.** `./dev bench threads_beside_bullet` builds Bullet 3.24 with `BULLET2_MULTITHREADING` in double
+  precision, and gives its world the program's state before each step. The program gives the same bits on any number of
+  threads. Bullet's result on two threads differs from run to run. Its threads spin while they wait, so its times mean little
+  on a machine that others use.
+- **Sheets.** A sheet took 5.46 ms on the coarse mesh and 7.79 ms on the fast one, with AVX2. This is the mean over 24 sheets,
+  measured once by hand (`./dev bench sheets`).
+- **The build** from clean to tested took 12 min 54 s on two idle cores of 2.45 GHz, and 15 min 2 s in a slow hour. The command
+  is `CCACHE_DISABLE=1 ./dev test`, once by hand.
 
-| remedy | effect |
-|---|---|
-| blocks of contacts that fit the cache | not kept |
-| rows in single precision | not kept |
-| keeping arms in place of rows | half the bytes, 1.3 to 1.5 times the solver's time |
-| fetching the parts of the next pairs ahead | not kept |
-| passing over points whose bodies have hardly changed their velocities | 62 % of the visits, the same bits; keeping count costs more: 1.05 to 1.14 of the step's time |
-| huge pages (`GLIBC_TUNABLES=glibc.malloc.hugetlb=1`) | 0.93 to 0.97 of the time at 10^4 floes |
+## Why a floe costs more in a large pack
 
-**Sheets before and after**, once by hand on 2026-11-28. `bench_sheets tests/corpus/sheets/solved.txt 5` of both versions ran in turn,
-five times, on a shared machine with AVX2. A time is the least of five, the mean over 24 sheets, in milliseconds. The rows have the
-medians of the turns.
+Memory is the reason, not the number of operations. Valgrind counts only 1.10 times the instructions a floe in a pack of $10^4$,
+of which 7 to 8 hundredths come from floes at the rim. In each of 30 sweeps the solver reads 64 bytes for each contact point,
+and 260 more for each point that presses. Beyond some hundred floes these bytes do not fit a core's own cache. Bullet's own
+world grows more.
 
-| stage | coarse: before | after | ratio | fast: before | after | ratio |
-|---|---|---|---|---|---|---|
-| mesh | 2.13 | 1.47 | 0.69 | 2.13 | 1.48 | 0.69 |
-| membrane | 2.10 | 1.39 | 0.66 | 2.13 | 1.40 | 0.65 |
-| bending | 4.13 | 1.65 | 0.40 | 10.59 | 4.00 | 0.38 |
-| stress | 1.80 | 0.94 | 0.52 | 1.86 | 0.95 | 0.51 |
-| all | 10.17 | 5.46 | 0.54 | 16.71 | 7.79 | 0.47 |
+    ./dev build valgrind
+    valgrind --tool=callgrind --toggle-collect='brash::rigid_body::World::step*' \\
+      --toggle-collect='brash::simulation::FloeWater::apply(*' build/valgrind/bin/bench_growth 4 N
 
-A later step, the dissection without branches, took the coarse sheet to 0.95 of that. The stress is read on the centre line and at
-all nodes within 2.5 characteristic lengths of the contact.
+These ideas did not help:
 
-**The build from clean to tested**, once by hand. `CCACHE_DISABLE=1 ./dev test` ran in a fresh clone on 2 cores of 2.45 GHz. The limit is
-15 min. Other programs share the cores:
-
-| cores | wall time | processor time | of it 120 tests |
-|---|---|---|---|
-| idle | 12 min 54 s | 25 min | 2 min 34 s |
-| in a slow hour | 15 min 2 s | | |
+- Keeping arms in place of rows halves the bytes, but takes 1.3 to 1.5 times the solver's time.
+- Passing over points whose bodies hardly change visits 62 % of the points with the same bits. Keeping count costs more: 1.05 to
+  1.14 of the step's time.
+- Blocks of contacts that fit the cache, rows in single precision, and fetching the next pairs ahead were not kept.
+- Huge pages (`GLIBC_TUNABLES=glibc.malloc.hugetlb=1`) give 0.93 to 0.97 of the time at $10^4$ floes. This is left to the user.
 """
 
 
@@ -355,25 +353,30 @@ def met(row):
     return "yes" if LIMITS[sign](row["median"], float(number)) else "**no**"
 
 
-def table(results):
+def number_and_range(row):
+    spread = f" ({row['lowest']:.3g} to {row['highest']:.3g})" if row["n"] > 1 else ""
+    return f"{row['median']:.3g}{spread}"
+
+
+def shown(results):
+    """The rows of the page's table, as far as their lines are measured."""
+    for name, beginning, words in SHOWN:
+        if name in results:
+            [row] = [row for row in results[name]["lines"] if row["what"].startswith(beginning)]
+            yield f"| {words} | {number_and_range(row)} | {row['limit']} | {met(row)} | `{name}` |"
+
+
+def page(results):
     """The page of the documents."""
-    text = ["# Performance", "",
-            "`./dev bench` writes this page from `performance.json`. `./dev bench NAME` measures one line. A figure with a range is",
-            f"the median of at least {REPETITIONS} samples; one without is a single value. Both sides of a ratio come from one run on",
-            "one machine. Times are user CPU times of the processes, unless a line says otherwise. The headings have the numbers of",
-            "the aims.", ""]
-    for name, entry in results.items():
-        text += [f"## {LINES[name].__doc__.splitlines()[0]}", "",
-                 "| command | date | machine | load |", "|---|---|---|---|",
-                 f"| `./dev bench {name}` | {entry['date']} | {entry['machine']} | {entry['load']:.1f} |", "",
-                 *([NOTES[name], ""] if name in NOTES else []), "| figure | median | range | limit | met |", "|---|---|---|---|---|"]
-        for row in entry["lines"]:
-            spread = f"{row['lowest']:.3g} to {row['highest']:.3g} ({row['n']})" if row["n"] > 1 else ""
-            text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} | {met(row)} |")
-        text.append("")
-    waiting = [f"- `./dev bench {name}`: {function.__doc__.splitlines()[0]}" for name, function in LINES.items()
-               if name not in results]
-    return "\n".join(text + ["## Not in the table", "", *waiting, *([""] if waiting else []), NOT_MEASURED])
+    verdicts = [(row, met(row)) for entry in results.values() for row in entry["lines"] if row["limit"]]
+    missed = [f"- {row['what']}: {number_and_range(row)}, limit {row['limit']}" for row, answer in verdicts if answer != "yes"]
+    dates = sorted(entry["date"] for entry in results.values())
+    machines = sorted({entry["machine"] for entry in results.values()})
+    return "\n".join([
+        INTRODUCTION, "| figure | median | limit | met | line |", "|---|---|---|---|---|", *shown(results), "",
+        f"Measured from {dates[0]} to {dates[-1]} on {' and '.join(machines)}. `./dev bench LINE` measures a line again, and `./dev bench`",
+        "all. `docs/performance.json` has every row with its load and its range.", "",
+        f"{len(verdicts) - len(missed)} of {len(verdicts)} limits are met. The others are:", "", *missed, "", NOTES])
 
 
 def processor():
@@ -384,6 +387,10 @@ def processor():
 
 
 def main():
+    path = ROOT / "docs/performance.json"
+    if sys.argv[1:] == ["--page"]:
+        (ROOT / "docs/performance.md").write_text(page(json.loads(path.read_text())))
+        return
     unknown = [name for name in sys.argv[1:] if name not in LINES]
     if unknown:
         sys.exit(f"no line {', '.join(unknown)}; there are: {', '.join(LINES)}")
@@ -391,7 +398,6 @@ def main():
     targets = sorted({target for name in wanted for target in TARGETS.get(name, [])})
     if targets:
         subprocess.run(["cmake", "--build", "build/release", "--target", *targets, "--", "--quiet"], cwd=ROOT, check=True)
-    path = ROOT / "docs/performance.json"
     for name in wanted:
         print(f"{name}: {LINES[name].__doc__}", file=sys.stderr)
         lines = LINES[name]()
@@ -402,7 +408,7 @@ def main():
             print(f"  {row['what']}: {row['median']:.3g} ({row['limit'] or 'no limit'})", file=sys.stderr)
         results = {known: results[known] for known in LINES if known in results}
         path.write_text(json.dumps(results, indent=1) + "\n")
-        (ROOT / "docs/performance.md").write_text(table(results))
+        (ROOT / "docs/performance.md").write_text(page(results))
 
 
 if __name__ == "__main__":

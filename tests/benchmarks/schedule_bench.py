@@ -12,24 +12,6 @@ SIZES = (300, 1000, 10000)
 N_STEPS, N_PACKS = 5, 7
 DEAR = 5  # times the measured costs of threads
 
-NOTE = """![Speed-up over threads, where their time goes, and a step on 8 and on 16 threads](figures/schedule.svg)
-
-A large pack is limited by the parts between loops: one thread works, and all others wait. A small pack is limited by the sweeps of
-the solver, which have few strips. More threads than strips find no chunk there, and each makes a loop dearer. Dashes in the figure
-are the critical path. A shade reaches down to dearer words.
-
-The program records on one thread the time of each chunk of each loop, and the time between loops. `tests/benchmarks/schedule.py`
-lets threads share these chunks event by event, as `Workers` does. The rows of two threads may be compared with `./dev bench threads`,
-which measures them.
-
-The costs of threads are measured with two. No loop takes a lock: threads exchange atomic words, and one core has a word at a time.
-Cores may be further apart than these two, and other systems wake threads at other costs. So some rows have dearer words or dearer
-waking. A loop wakes no more threads than it has chunks for. If the caller woke all, the first could sleep again before it has
-woken the last. A small pack would then be slower on many threads than on one.
-
-The simulation leaves out shared caches and memory, processors that slow down under load, threads that share a core, and the
-system's own scheduling."""
-
 
 def program(n_steps, n_packs, *sizes):
     """Output of bench_schedule."""
