@@ -34,7 +34,8 @@ void add_unsettled_warning(const RunSummary& s, std::size_t n_steps, Warnings& w
        fmt::format(
            "the contacts of {} of {} steps are not settled: their last sweep changes a relative velocity by more "
            "than 8e-5 m/s and 3 % of the speed of structure and water against each other, by {:.2g} m/s in the "
-           "mean step, so floes may sink into each other and loads be too low; raise contact.iterations, or shorten time.step",
+           "mean step, so floes may sink into each other and loads be too low; raise contact.iterations, or shorten "
+           "time.step",
            s.n_unsettled_steps, n_steps, s.mean_last_change)});
 }
 
