@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "added_mass.hpp"
 #include "brash/core/constants.hpp"
@@ -140,19 +141,21 @@ bool FloeWater::load(rigid_body::World& world, BodyId body, Floe& floe, double d
   return !drag;
 }
 
-void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure) {
+void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt,
+                      const structure::State& structure) const {
   const std::vector<BodyId>& moving = world.moving();
-  is_due_.assign(moving.size(), 0);
+  std::vector<std::uint8_t> is_due(moving.size(), 0);
   world.workers().each(moving.size(), kFloes, [&](std::size_t i) {
-    is_due_[i] = load(world, moving[i], floes.at(moving[i]), dt, structure) ? 1 : 0;
+    is_due[i] = load(world, moving[i], floes.at(moving[i]), dt, structure) ? 1 : 0;
   });
-  due_.clear();
+  std::vector<BodyId> due;
   for (std::size_t i = 0; i < moving.size(); ++i)
-    if (is_due_[i] != 0) due_.push_back(moving[i]);
-  renew_drag(world, floes, dt);
+    if (is_due[i] != 0) due.push_back(moving[i]);
+  renew_drag(world, floes, due, dt);
 }
 
-void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, double dt) {
+void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, const std::vector<BodyId>& due,
+                           double dt) const {
   const double travel = case_->hydrodynamics.drag_travel * case_->ice.thickness;
   const auto renew = [&](BodyId body, std::span<const Solid> neighbours) {
     Floe& floe = floes.at(body);
@@ -164,9 +167,9 @@ void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, doub
     apply_to(world, body, floe, dt, floe.kept_drag.drag);
   };
   if (water_.shading_gap > 0.0)
-    world.visit_neighbours(due_, reach(), renew);
+    world.visit_neighbours(due, reach(), renew);
   else
-    world.workers().each(due_.size(), kFloes, [&](std::size_t i) { renew(due_[i], {}); });
+    world.workers().each(due.size(), kFloes, [&](std::size_t i) { renew(due[i], {}); });
 }
 
 }  // namespace brash::simulation

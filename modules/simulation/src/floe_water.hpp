@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,7 +19,7 @@ class FloeWater {
 
   /// Loads every floe that is awake for the next step of `dt` [s].
   /// @param structure  where it is and how it moves: the water gives way to it (hydrodynamics.structure_flow).
-  void apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure);
+  void apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure) const;
 
   /// How far around a floe other ice matters to the water on it [m].
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
@@ -40,16 +39,14 @@ class FloeWater {
   bool load(rigid_body::World& world, BodyId body, Floe& floe, double dt, const structure::State& structure) const;
   /// Applies weight and the load of the water to a floe that has `drag` at its velocity.
   void apply_to(rigid_body::World& world, BodyId body, Floe& floe, double dt, const hydrodynamics::Drag& drag) const;
-  /// Computes the drag of the floes `due_`, whose neighbours are sought together.
-  void renew_drag(rigid_body::World& world, FloePopulation& floes, double dt);
+  /// Computes the drag of the floes `due`, whose neighbours are sought together.
+  void renew_drag(rigid_body::World& world, FloePopulation& floes, const std::vector<BodyId>& due, double dt) const;
 
   const model::Case* case_;
   hydrodynamics::Water water_;
   hydrodynamics::Wind wind_;
   std::optional<hydrodynamics::StructureFlow> flow_;
-  std::vector<Pose> ellipsoids_;      ///< of the flow around each leg, structure's frame
-  std::vector<std::uint8_t> is_due_;  ///< scratch: whether the drag of each moving floe is to be computed
-  std::vector<BodyId> due_;           ///< floes whose drag is to be computed
+  std::vector<Pose> ellipsoids_;  ///< of the flow around each leg, structure's frame
 };
 
 }  // namespace brash::simulation

@@ -19,7 +19,6 @@
 #include "drifting_sheets.hpp"
 #include "edge_contact.hpp"
 #include "plan.hpp"
-#include "simulation_impl.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -178,24 +177,6 @@ InitialField initial_field(const model::Case& resolved) {
     start.sheet_area += geometry::area(outline).square_metres();
   }
   return start;
-}
-
-void Simulation::Impl::lay_floes() {
-  const bool of_field = resolved.field.kind == model::FieldKind::kFloes;
-  const Vec2 velocity = drift_at_start(resolved);
-  const structure::State drift{{}, {{velocity.x, velocity.y, 0.0}, {}}};
-  for (ice::Plate& plate : floes_beside(resolved, *hull, field)) {
-    field.add_floe(plate);
-    if (!of_field && plate.area().square_metres() < resolved.failure.smallest_floe) {
-      field.to_brash(plate);
-      continue;
-    }
-    auto record = floes.add(world, std::move(plate), 0.0, drift);
-    if (record)
-      initial_births.push_back(std::move(*record));
-    else
-      field.to_brash(plate);
-  }
 }
 
 }  // namespace brash::simulation

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "brash/model/records.hpp"
 #include "brash/structure/regions.hpp"
@@ -13,9 +12,8 @@ namespace brash::simulation {
 /// The loads of a step by region of the structure; nothing for shapes without regions.
 class RegionLoadSums {
  public:
-  explicit RegionLoadSums(std::optional<structure::Regions> regions) : regions_(std::move(regions)) {}
+  explicit RegionLoadSums(const std::optional<const structure::Regions>& regions) : regions_(&regions) {}
 
-  void begin_step() { sums_ = {}; }
   /// A force on the structure, sheet axes [N].
   /// @param point    where it acts [m].
   /// @param outward  unit normal of the hull there, sheet axes.
@@ -27,7 +25,7 @@ class RegionLoadSums {
  private:
   model::RegionLoad& at(const Pose& structure, Vec3 point, Vec3 outward);
 
-  std::optional<structure::Regions> regions_;
+  const std::optional<const structure::Regions>* regions_;
   model::RegionLoads sums_;  ///< sheet axes
 };
 

@@ -5,8 +5,8 @@
 
 #include "brash/failure/splitting.hpp"
 #include "plan.hpp"
-#include "simulation_impl.hpp"
 #include "splitting_force.hpp"
+#include "stages.hpp"
 
 namespace brash::simulation {
 
@@ -41,14 +41,34 @@ geometry::Ring moved(const geometry::Ring& ring, const Pose& frame) {
   return geometry::ring(points);
 }
 
+/// The collision shapes of each sheet wherever it could meet another sheet, a wall or a shore in this step.
+void lay_sheets_that_meet(State& s) {
+  std::vector<geometry::Extent> boxes;  // of the sheets, in the world
+  for (const ice::Plate& plate : s.field.level_ice()) {
+    const SheetBody& body = s.sheets.body(plate.level_ice());
+    boxes.push_back(body.mass > 0.0 ? moved_box({body.lower, body.upper}, s.sheets.start_pose(plate.level_ice()))
+                                    : geometry::Extent{});
+  }
+  for (const ice::Plate& plate : s.field.level_ice()) {
+    const auto own = static_cast<std::size_t>(plate.level_ice());
+    const auto lay = [&](const geometry::Extent& other) {
+      if (boxes[own].is_empty() || other.is_empty() || are_apart(boxes[own], other, kNear)) return;
+      const Pose frame = s.sheets.start_pose(plate.level_ice());
+      s.tiles.lay_edge(plate, s.world, moved_box(other, inverse(frame)), kNear, frame, s.sheets.id(plate.level_ice()));
+    };
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (i != own) lay(boxes[i]);
+    for (const geometry::Extent& border : s.borders) lay(border);
+  }
+}
+
 }  // namespace
 
-/// Where the level ice is. A sheet that drifts is rounded to the grid anew.
-std::vector<geometry::Polygon> Simulation::Impl::outlines_in_world() const {
-  if (!sheets.any()) return field.outlines();
+std::vector<geometry::Polygon> outlines_in_world(const State& s) {
+  if (!s.sheets.any()) return s.field.outlines();
   std::vector<geometry::Polygon> all;
-  for (const ice::Plate& plate : field.level_ice()) {
-    const Pose frame = sheets.pose(plate.level_ice());
+  for (const ice::Plate& plate : s.field.level_ice()) {
+    const Pose frame = s.sheets.pose(plate.level_ice());
     for (geometry::Polygon polygon : plate.outline()) {
       polygon.outline = moved(polygon.outline, frame);
       for (geometry::Ring& hole : polygon.holes) hole = moved(hole, frame);
@@ -58,140 +78,112 @@ std::vector<geometry::Polygon> Simulation::Impl::outlines_in_world() const {
   return all;
 }
 
-/// An event of level ice that drifts, where it was.
-model::CrackEvent Simulation::Impl::in_world(int level_ice, model::CrackEvent event) const {
-  const auto place = [&](Vec2 p) { return plan(sheets.to_world(level_ice, {p.x, p.y, 0.0})); };
+model::CrackEvent in_world(const State& s, int level_ice, model::CrackEvent event) {
+  const auto place = [&](Vec2 p) { return plan(s.sheets.to_world(level_ice, {p.x, p.y, 0.0})); };
   event.at = place(event.at);
   event.tip = place(event.tip);
-  event.towards = plan(sheets.turned(level_ice, {event.towards.x, event.towards.y, 0.0}));
+  event.towards = plan(s.sheets.turned(level_ice, {event.towards.x, event.towards.y, 0.0}));
   return event;
 }
 
-/// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
-void Simulation::Impl::lay_sheet_near(BodyId body) {
+void lay_sheet_near(State& s, const Laws& laws, BodyId body) {
   const auto has_ice = [](const ice::Plate& plate) { return !plate.is_gone(); };
-  if (std::ranges::none_of(field.level_ice(), has_ice)) return;  // a field of floes
-  const Vec2 reach{water.reach(), water.reach()};
-  const auto [lower, upper] = world.bounds(body);
+  if (std::ranges::none_of(s.field.level_ice(), has_ice)) return;  // a field of floes
+  const Vec2 reach{laws.water.reach(), laws.water.reach()};
+  const auto [lower, upper] = s.world.bounds(body);
   const geometry::Extent near{plan(lower) - reach, plan(upper) + reach};
-  for (const ice::Plate& plate : field.level_ice()) {
-    if (!sheets.any()) {
-      tiles.lay(plate, world, near.lower, near.upper);
+  for (const ice::Plate& plate : s.field.level_ice()) {
+    if (!s.sheets.any()) {
+      s.tiles.lay(plate, s.world, near.lower, near.upper);
       continue;
     }
     const int number = plate.level_ice();
-    const Pose frame = sheets.start_pose(number);
+    const Pose frame = s.sheets.start_pose(number);
     const geometry::Extent here = moved_box(near, inverse(frame));
-    const SheetBody& ice = sheets.body(number);
+    const SheetBody& ice = s.sheets.body(number);
     if (!(ice.mass > 0.0) || are_apart(here, {ice.lower, ice.upper}, 0.0)) continue;
-    tiles.lay(plate, world, here.lower, here.upper, frame, sheets.id(number));
+    s.tiles.lay(plate, s.world, here.lower, here.upper, frame, s.sheets.id(number));
   }
 }
 
-/// The collision shapes of each sheet wherever it could meet another sheet, a wall or a shore in this step.
-void Simulation::Impl::lay_sheets_that_meet() {
-  std::vector<geometry::Extent> boxes;  // of the sheets, in the world
-  for (const ice::Plate& plate : field.level_ice()) {
-    const SheetBody& body = sheets.body(plate.level_ice());
-    boxes.push_back(body.mass > 0.0 ? moved_box({body.lower, body.upper}, sheets.start_pose(plate.level_ice()))
-                                    : geometry::Extent{});
-  }
-  for (const ice::Plate& plate : field.level_ice()) {
-    const auto own = static_cast<std::size_t>(plate.level_ice());
-    const auto lay = [&](const geometry::Extent& other) {
-      if (boxes[own].is_empty() || other.is_empty() || are_apart(boxes[own], other, kNear)) return;
-      const Pose frame = sheets.start_pose(plate.level_ice());
-      tiles.lay_edge(plate, world, moved_box(other, inverse(frame)), kNear, frame, sheets.id(plate.level_ice()));
-    };
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (i != own) lay(boxes[i]);
-    for (const geometry::Extent& border : borders) lay(border);
-  }
-}
-
-/// Sheets and their collision shapes go into the step of the bodies.
-void Simulation::Impl::hand_over_sheets() {
-  if (!sheets.any()) return;
-  lay_sheets_that_meet();
-  for (const ice::Plate& plate : field.level_ice()) {
+void hand_over_sheets(State& s, const Laws& laws) {
+  if (!s.sheets.any()) return;
+  lay_sheets_that_meet(s);
+  for (const ice::Plate& plate : s.field.level_ice()) {
     const int number = plate.level_ice();
-    tiles.move(number, world, sheets.pose(number), sheets.twist(number));
+    s.tiles.move(number, s.world, s.sheets.pose(number), s.sheets.twist(number));
   }
-  sheets.hand_over(resolved.time.step);
+  s.sheets.hand_over(laws.resolved.time.step);
 }
 
-/// The step of the bodies has found the velocities of the sheets.
-void Simulation::Impl::take_back_sheets() {
-  if (!sheets.any()) return;
-  energy.book_sheets(world, sheets.take_back(resolved.time.step), resolved.time.step);
+void take_back_sheets(State& s, const Laws& laws) {
+  if (!s.sheets.any()) return;
+  s.energy.book_sheets(s.world, s.sheets.take_back(laws.resolved.time.step), laws.resolved.time.step);
 }
 
-/// Whether the hull comes near the box of level ice. Fast ice is large, and always counts as near.
-bool Simulation::Impl::is_near(const ice::Plate& plate, const structure::State& seen) const {
-  if (!sheets.any()) return true;
-  const SheetBody& body = sheets.body(plate.level_ice());
-  const Vec2 at = plan(seen.pose.position), reach{hull_reach, hull_reach};
+bool is_near(const State& s, const Laws& laws, const ice::Plate& plate, const structure::State& seen) {
+  if (!s.sheets.any()) return true;
+  const SheetBody& body = s.sheets.body(plate.level_ice());
+  const Vec2 at = plan(seen.pose.position), reach{laws.hull_reach, laws.hull_reach};
   return body.mass > 0.0 && !are_apart({at - reach, at + reach}, {body.lower, body.upper}, 0.0);
 }
 
-/// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/free-sheet.md, (G6), (G7), (G8).
-void Simulation::Impl::split_sheets(const std::vector<EdgeContact>& contacts, StepReport& report) {
-  if (!sheets.any()) return;
-  const StageTimer::Scope clock(timer, times.cutting);
-  const int n_sheets = static_cast<int>(field.level_ice().size());
+void split_sheets(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step) {
+  if (!s.sheets.any()) return;
+  const StageTimer::Scope clock(step.timer, step.report.times.cutting);
+  const int n_sheets = static_cast<int>(s.field.level_ice().size());
   for (int number = 0; number < n_sheets; ++number) {
     const std::optional<SplittingForce> force = splitting_force(contacts, number);
     if (!force) continue;
-    const ice::Plate& plate = field.level_ice(number);
+    const ice::Plate& plate = s.field.level_ice(number);
     const std::optional<failure::SplitPlate> ahead = rectangle_ahead(plate.sheet(), *force);
     if (!ahead) continue;
     const failure::SplittingLoad load{force->opening, force->push, plate.ice().thickness};
     const double intensity = failure::least_intensity(load, *ahead);
-    if (intensity < resolved.ice.fracture_toughness) continue;
-    const double area_before = field.ledger().sheet.square_metres();
+    if (intensity < laws.resolved.ice.fracture_toughness) continue;
+    const double area_before = s.field.ledger().sheet.square_metres();
     ice::Broken broken =
-        field.split_sheet(field.level_ice(number), force->at, force->towards, resolved.failure.smallest_floe);
+        s.field.split_sheet(s.field.level_ice(number), force->at, force->towards, laws.resolved.failure.smallest_floe);
     if (broken.changed.is_empty()) continue;
     const double reach = norm(broken.changed.upper - broken.changed.lower);
-    bearings.forget_within(number, force->at, reach);
-    edges.forget_within(number, force->at, reach);
-    report.breaks.sheets_split += 1;
-    const Vec2 at = plan(sheets.to_world(number, {force->at.x, force->at.y, 0.0}));
-    const Vec2 towards = plan(sheets.turned(number, {force->towards.x, force->towards.y, 0.0}));
-    report.splits.push_back({.time = time(),
-                             .at = at,
-                             .towards = towards,
-                             .length = ahead->length,
-                             .breadth = ahead->breadth,
-                             .opening = load.opening,
-                             .push = load.push,
-                             .stress_intensity = intensity,
-                             .thickness = load.thickness,
-                             .area_before = area_before,
-                             .pieces = static_cast<int>(broken.pieces.size()) + 1});
-    for (ice::Plate& piece : broken.pieces) let_float(std::move(piece), number, report.births, report);
-    follow_outline(field.level_ice(number), broken.changed);
-    report.splits.back().area_after = field.ledger().sheet.square_metres();
+    s.bearings.forget_within(number, force->at, reach);
+    s.edges.forget_within(number, force->at, reach);
+    step.report.breaks.sheets_split += 1;
+    const Vec2 at = plan(s.sheets.to_world(number, {force->at.x, force->at.y, 0.0}));
+    const Vec2 towards = plan(s.sheets.turned(number, {force->towards.x, force->towards.y, 0.0}));
+    step.report.splits.push_back({.time = s.time(laws),
+                                  .at = at,
+                                  .towards = towards,
+                                  .length = ahead->length,
+                                  .breadth = ahead->breadth,
+                                  .opening = load.opening,
+                                  .push = load.push,
+                                  .stress_intensity = intensity,
+                                  .thickness = load.thickness,
+                                  .area_before = area_before,
+                                  .pieces = static_cast<int>(broken.pieces.size()) + 1});
+    for (ice::Plate& piece : broken.pieces) let_float(s, laws, std::move(piece), number, step.report.births, step);
+    follow_outline(s, s.field.level_ice(number), broken.changed);
+    step.report.splits.back().area_after = s.field.ledger().sheet.square_metres();
   }
 }
 
-/// A sheet that has become small goes on as a floe.
-void Simulation::Impl::release_small_sheets(StepReport& report) {
-  if (!sheets.any()) return;
-  const int n_sheets = static_cast<int>(field.level_ice().size());
+void release_small_sheets(State& s, const Laws& laws, Step& step) {
+  if (!s.sheets.any()) return;
+  const int n_sheets = static_cast<int>(s.field.level_ice().size());
   for (int number = 0; number < n_sheets; ++number) {
-    ice::Plate& plate = field.level_ice(number);
+    ice::Plate& plate = s.field.level_ice(number);
     const std::vector<geometry::Polygon> outlines = plate.outline();
-    if (outlines.empty() || is_plate(outlines, plate.ice(), resolved.field.smallest_plate)) continue;
+    if (outlines.empty() || is_plate(outlines, plate.ice(), laws.resolved.field.smallest_plate)) continue;
     geometry::Extent changed;
     for (const geometry::Polygon& polygon : outlines) changed.add(geometry::extent(polygon));
     const double reach = norm(changed.upper - changed.lower);
-    bearings.forget_within(number, 0.5 * (changed.lower + changed.upper), reach);
-    edges.forget_within(number, 0.5 * (changed.lower + changed.upper), reach);
-    energy.book_pushed_sheet(sheets.take_pushes(number, resolved.time.step));
-    std::vector<ice::Plate> pieces = field.release(plate, resolved.failure.smallest_floe);
-    for (ice::Plate& piece : pieces) let_float(std::move(piece), number, report.births, report);
-    follow_outline(field.level_ice(number), changed);
+    s.bearings.forget_within(number, 0.5 * (changed.lower + changed.upper), reach);
+    s.edges.forget_within(number, 0.5 * (changed.lower + changed.upper), reach);
+    s.energy.book_pushed_sheet(s.sheets.take_pushes(number, laws.resolved.time.step));
+    std::vector<ice::Plate> pieces = s.field.release(plate, laws.resolved.failure.smallest_floe);
+    for (ice::Plate& piece : pieces) let_float(s, laws, std::move(piece), number, step.report.births, step);
+    follow_outline(s, s.field.level_ice(number), changed);
   }
 }
 

@@ -63,6 +63,31 @@ struct KeptCounts {
   }
 };
 
+/// Where the wall time went, by stage [s]; no part of it is counted twice.
+struct StageTimes {
+  double contacts = 0.0;   ///< where structure and floes meet the edge, and the wedges fitted there
+  double failure = 0.0;    ///< the bending criterion
+  double cutting = 0.0;    ///< cracks, crushing and the collision shapes after them
+  double water = 0.0;      ///< weight, buoyancy and drag
+  double world = 0.0;      ///< rigid bodies and their contacts
+  double loads = 0.0;      ///< sums by cause, energies, watchdogs
+  double recording = 0.0;  ///< frames, checkpoints, and writing the results
+
+  StageTimes& operator+=(const StageTimes& other);
+};
+
+/// Visits every stage with its name.
+template <typename Times, typename Visitor>
+void visit_stages(Times& times, Visitor&& visit) {
+  visit("contacts", times.contacts);
+  visit("failure", times.failure);
+  visit("cutting", times.cutting);
+  visit("water", times.water);
+  visit("world", times.world);
+  visit("loads", times.loads);
+  visit("recording", times.recording);
+}
+
 /// The report of one step.
 struct StepReport {
   model::LoadRow loads;
@@ -78,30 +103,8 @@ struct StepReport {
   int n_above_range = 0;     ///< assessments that stayed above the range at the shortest substep
   int n_steps_too_long = 0;  ///< births with T_col (Eqs. 11, 12) below the time step
   double last_change = 0.0;  ///< rigid_body::World::last_change() [m/s]
+  StageTimes times;
 };
-
-/// Where the wall time went, by stage [s]; no part of it is counted twice.
-struct StageTimes {
-  double contacts = 0.0;   ///< where structure and floes meet the edge, and the wedges fitted there
-  double failure = 0.0;    ///< the bending criterion
-  double cutting = 0.0;    ///< cracks, crushing and the collision shapes after them
-  double water = 0.0;      ///< weight, buoyancy and drag
-  double world = 0.0;      ///< rigid bodies and their contacts
-  double loads = 0.0;      ///< sums by cause, energies, watchdogs
-  double recording = 0.0;  ///< frames, checkpoints, and writing the results
-};
-
-/// Visits every stage with its name.
-template <typename Times, typename Visitor>
-void visit_stages(Times& times, Visitor&& visit) {
-  visit("contacts", times.contacts);
-  visit("failure", times.failure);
-  visit("cutting", times.cutting);
-  visit("water", times.water);
-  visit("world", times.world);
-  visit("loads", times.loads);
-  visit("recording", times.recording);
-}
 
 /// How a sheet with free borders moves in the plane.
 struct SheetMotion {
