@@ -81,12 +81,7 @@ void add_criterion(State& s, const Laws& laws, const ice::Plate& plate) {
 ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkpoint) {
   model::Case renamed = checkpoint.resolved;
   renamed.name = resolved.name;
-  if (renamed == resolved && renamed != checkpoint.resolved)
-    throw InputError(Complaint{"the checkpoint",
-                               "is of case \"" + checkpoint.resolved.name + "\", and this one has the name \"" +
-                                   resolved.name + "\", which its random numbers depend on",
-                               "a checkpoint of a case with the same name", "give the case file its old name"});
-  if (checkpoint.resolved != resolved)
+  if (renamed != resolved)
     throw InputError(Complaint{"the checkpoint",
                                "is of case \"" + checkpoint.resolved.name + "\" with other values than this one",
                                "a checkpoint of a case with the same values",

@@ -235,6 +235,16 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_with_floes_asleep_is_the_uninterrupted_one_to
   std::filesystem::remove(file);
 }
 
+BOOST_AUTO_TEST_CASE(a_copy_under_another_name_goes_on_from_a_checkpoint) {
+  const model::Case first = short_case({}, 2.0);
+  model::Case copy = first;
+  copy.name = "a copy";
+  simulation::Simulation whole(first);
+  for (int i = 0; i < 150; ++i) (void)whole.step();
+  simulation::Simulation twin(copy, whole.checkpoint());
+  for (int i = 0; i < 20; ++i) BOOST_TEST((twin.step().loads == whole.step().loads));
+}
+
 /// A crack rounds the remaining edge of the sheet again, even far from the crack. The collision shapes there must
 /// follow, or a resumed run, which lays all shapes, has others.
 BOOST_AUTO_TEST_CASE(a_state_goes_on_to_the_bit_wherever_in_a_run_it_is_taken) {
