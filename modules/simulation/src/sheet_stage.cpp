@@ -62,6 +62,13 @@ void lay_sheets_that_meet(State& s) {
   }
 }
 
+/// A sheet splits or becomes a floe: what has pressed on it within `reach` of `at` is forgotten.
+void forget_ice(State& s, int number, Vec2 at, double reach) {
+  s.bearings.forget_within(number, at, reach);
+  s.edges.forget_within(number, at, reach);
+  s.verdicts.forget_within(number, at, reach, reach);
+}
+
 }  // namespace
 
 std::vector<geometry::Polygon> outlines_in_world(const State& s) {
@@ -146,8 +153,7 @@ void split_sheets(State& s, const Laws& laws, const std::vector<EdgeContact>& co
         s.field.split_sheet(s.field.level_ice(number), force->at, force->towards, laws.resolved.failure.smallest_floe);
     if (broken.changed.is_empty()) continue;
     const double reach = norm(broken.changed.upper - broken.changed.lower);
-    s.bearings.forget_within(number, force->at, reach);
-    s.edges.forget_within(number, force->at, reach);
+    forget_ice(s, number, force->at, reach);
     step.report.breaks.sheets_split += 1;
     const Vec2 at = plan(s.sheets.to_world(number, {force->at.x, force->at.y, 0.0}));
     const Vec2 towards = plan(s.sheets.turned(number, {force->towards.x, force->towards.y, 0.0}));
@@ -178,8 +184,7 @@ void release_small_sheets(State& s, const Laws& laws, Step& step) {
     geometry::Extent changed;
     for (const geometry::Polygon& polygon : outlines) changed.add(geometry::extent(polygon));
     const double reach = norm(changed.upper - changed.lower);
-    s.bearings.forget_within(number, 0.5 * (changed.lower + changed.upper), reach);
-    s.edges.forget_within(number, 0.5 * (changed.lower + changed.upper), reach);
+    forget_ice(s, number, 0.5 * (changed.lower + changed.upper), reach);
     s.energy.book_pushed_sheet(s.sheets.take_pushes(number, laws.resolved.time.step));
     std::vector<ice::Plate> pieces = s.field.release(plate, laws.resolved.failure.smallest_floe);
     for (ice::Plate& piece : pieces) let_float(s, laws, std::move(piece), number, step.report.births, step);

@@ -370,6 +370,19 @@ BOOST_AUTO_TEST_CASE(a_sheet_that_crushing_severs_goes_on_as_two) {
   BOOST_TEST(simulation.ledger().closes());
 }
 
+/// The verdicts of the step were on the whole sheet.
+BOOST_AUTO_TEST_CASE(a_sheet_that_splits_keeps_no_verdicts) {
+  const model::Case c = free_case({"algorithm.preset=brash", "time.duration=6", "field.length=40", "field.width=60",
+                                   "ice.fracture_toughness=20e3"});
+  simulation::Simulation simulation(c);
+  int n_split = 0;
+  for (int i = 0; n_split == 0 && i < 600; ++i) {
+    n_split = simulation.step().breaks.sheets_split;
+  }
+  BOOST_REQUIRE(n_split == 1);
+  BOOST_TEST(simulation.checkpoint().table("verdict").n_rows() == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and_its_ledgers_close) {
   const model::Case c = free_case({"time.duration=6", "field.length=40", "field.width=60",
                                    "ice.fracture_toughness=20e3", "failure.model=wedge", "failure.pattern=disc",
