@@ -116,6 +116,7 @@ SheetSizes sizes_of(Accuracy accuracy) {
             .membrane_order = 3,
             .smallest_patch = 8};
   }
+  const bool screens = accuracy == Accuracy::kCoarse;
   return {.tip = 0.1,
           .tip_share = 0.2,
           .tip_corner = 1.0,
@@ -123,15 +124,15 @@ SheetSizes sizes_of(Accuracy accuracy) {
           .side = 0.12,
           .centre = 0.22,
           .crack = 0.16,
-          .distance_share = 0.25,
+          .distance_share = screens ? 0.25 : 0.12,
           .gradation = 0.8,
-          .near = 1.0,
+          .near = screens ? 1.0 : 1.5,
           .reach = 20.0,
           .bending_reach = 5.0,
-          .tolerance = {0.02, 0.05},
+          .tolerance = {screens ? 0.02 : 0.01, 0.05},
           .most_vertices = 1000,
           .membrane_order = 2,
-          .bending_order = accuracy == Accuracy::kCoarse ? 2 : kOrder,
+          .bending_order = screens ? 2 : kOrder,
           .smallest_patch = 3};
 }
 
