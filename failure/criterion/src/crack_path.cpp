@@ -9,8 +9,8 @@
 namespace brash::failure {
 namespace {
 
-constexpr double kStep = 0.03;   ///< of a crack, over l_c
-constexpr int kMostSteps = 200;  ///< of an arm: 6 l_c
+constexpr double kStep = 0.03;       ///< of a crack, over l_c
+constexpr double kLongestArm = 6.0;  ///< beyond the load, over l_c
 
 enum class End { kOutside, kCentreLine, kNowhere };
 
@@ -23,8 +23,12 @@ struct Arm {
 /// Follows the stress on one surface of a sheet.
 class Tracer {
  public:
-  Tracer(const plate::SheetSolution& solution, Surface side, double thickness_over_lc)
-      : solution_(&solution), side_(side), h_lc_(thickness_over_lc) {}
+  Tracer(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, Surface side)
+      : solution_(&solution), side_(side), h_lc_(sheet.thickness) {
+    double longest = 0.0;
+    for (const plate::EdgeLoad& load : sheet.edge_loads) longest = std::max(longest, norm(load.to - load.from));
+    most_steps_ = std::lround((kLongestArm + 0.5 * longest) / kStep);
+  }
 
   /// Unit vector across the larger principal stress at a place, on the side of `ahead`; nothing outside the ice.
   std::optional<Vec2> way_at(Vec2 place, Vec2 ahead) const {
@@ -40,7 +44,7 @@ class Tracer {
   /// @param crosses  whether it may cross the centre line; else it ends on it.
   Arm arm(Vec2 start, Vec2 ahead, bool crosses) const {
     Arm arm{{start}, End::kNowhere};
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (long step = 0; step < most_steps_; ++step) {
       const Vec2 here = arm.points.back();
       const auto begin = way_at(here, ahead);
       if (!begin) return arm.end = End::kOutside, arm;
@@ -72,6 +76,7 @@ class Tracer {
   const plate::SheetSolution* solution_;
   Surface side_;
   double h_lc_;
+  long most_steps_;
 };
 
 /// Backwards along one arm, then along the other.
@@ -99,9 +104,9 @@ plate::Tensor2 stress_on(Surface side, const plate::SheetState& state, double th
 
 double principal(const plate::Tensor2& s) { return 0.5 * (s.xx + s.yy) + std::hypot(0.5 * (s.xx - s.yy), s.xy); }
 
-std::vector<Vec2> crack_from_line(const plate::SheetSolution& solution, double from, Surface side,
-                                  double thickness_over_lc) {
-  const Tracer tracer(solution, side, thickness_over_lc);
+std::vector<Vec2> crack_from_line(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, double from,
+                                  Surface side) {
+  const Tracer tracer(sheet, solution, side);
   const Arm right = tracer.arm_from_line(from, -1.0), left = tracer.arm_from_line(from, 1.0);
   if (right.end != End::kOutside || left.end != End::kOutside) return {};
   if (right.points.size() < 2 || left.points.size() < 2) return {};
@@ -111,18 +116,19 @@ std::vector<Vec2> crack_from_line(const plate::SheetSolution& solution, double f
   return crack;
 }
 
-std::vector<Vec2> crack_through(const plate::SheetSolution& solution, Vec2 place, Surface side,
-                                double thickness_over_lc) {
-  const auto [one, other] = Tracer(solution, side, thickness_over_lc).arms(place, true);
+std::vector<Vec2> crack_through(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, Vec2 place,
+                                Surface side) {
+  const auto [one, other] = Tracer(sheet, solution, side).arms(place, true);
   if (one.end != End::kOutside || other.end != End::kOutside) return {};
   std::vector<Vec2> crack = joined(one, other);
   if (crack.front().y > crack.back().y) std::ranges::reverse(crack);
   return crack;
 }
 
-std::vector<Vec2> crack_through_halves(const plate::SheetSolution& solution, const std::optional<Vec2>& below,
-                                       const std::optional<Vec2>& above, Surface side, double thickness_over_lc) {
-  const Tracer tracer(solution, side, thickness_over_lc);
+std::vector<Vec2> crack_through_halves(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution,
+                                       const std::optional<Vec2>& below, const std::optional<Vec2>& above,
+                                       Surface side) {
+  const Tracer tracer(sheet, solution, side);
   std::vector<Vec2> crack = half_crack(tracer, below), rest = half_crack(tracer, above);
   if (crack.empty() && rest.empty()) return {};
   if (crack.empty() || rest.empty()) {

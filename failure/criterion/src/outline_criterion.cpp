@@ -176,15 +176,15 @@ class OutlineCriterion final : public BendingCriterion {
       const auto at = [](const std::optional<WeakPlace>& weak) {
         return weak ? std::optional(weak->at) : std::nullopt;
       };
-      crack = sheet.split ? crack_through_halves(solution, at(halves.below), at(halves.above), 1.0, sheet.thickness)
-                          : crack_through(solution, place->at, 1.0, sheet.thickness);
+      crack = sheet.split ? crack_through_halves(sheet, solution, at(halves.below), at(halves.above), 1.0)
+                          : crack_through(sheet, solution, place->at, 1.0);
       if (const auto ahead = distance_ahead(crack))
         answer.breaking_length = l_c * *ahead;
       else
         crack.clear();  // it does not cut B off
     }
     if (crack.empty() && stresses.largest > 1.0) {
-      crack = crack_from_line(solution, stresses.place, stresses.side, sheet.thickness);
+      crack = crack_from_line(sheet, solution, stresses.place, stresses.side);
       if (!crack.empty()) answer.breaking_length = l_c * stresses.place;
     }
     for (const Vec2 point : crack) answer.crack.push_back(l_c * point);

@@ -15,6 +15,8 @@ using Polyline = std::vector<Vec2>;
 /// Loads so far from B along the edge bend the ice ahead of B by 2.5 % of the same load at B, in characteristic
 /// lengths.
 constexpr double kReach = 5.0;
+/// Of a contact longer than twice that, the edge is needed as far as this beyond its ends, in characteristic lengths.
+constexpr double kBeyond = 1.0;
 /// Share of all loads that may be left out.
 constexpr double kWeak = 0.02;
 /// The chord's ends lie on the free edge to within this [m]; they are rounded to the geometry's grid, 2^-30 m.
@@ -267,7 +269,8 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
                                  const std::vector<EdgeContact>& all, std::size_t contact, bool joint,
                                  failure::LoadCase& load) {
   const EdgeContact& own = all[contact];
-  const double l_c = failure::characteristic_length(model.ice), reach = kReach * l_c;
+  const double l_c = failure::characteristic_length(model.ice);
+  const double reach = std::max(kReach * l_c, 0.5 * own.region.contact_length + kBeyond * l_c);
   const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
   for (const Polyline& chain : sheet.free_edge(at, reach)) {
     const Edge edge = with_chords(chain, all);

@@ -34,7 +34,7 @@ Broken broken_by(const failure::LoadCase& load, plate::Accuracy accuracy) {
   const auto stresses =
       failure::stresses_ahead(sheet, *solution, kIce, {failure::loads_of(load, kIce.thickness), kIce});
   BOOST_REQUIRE(stresses.has_value());
-  return {stresses->place, failure::crack_from_line(*solution, stresses->place, stresses->side, sheet.thickness)};
+  return {stresses->place, failure::crack_from_line(sheet, *solution, stresses->place, stresses->side)};
 }
 
 /// How far into the ice a crack runs `y` beside the centre line.
@@ -66,6 +66,19 @@ BOOST_AUTO_TEST_CASE(the_crack_crosses_the_centre_line_at_the_breaking_length) {
   BOOST_TEST(std::ranges::count(broken.crack, Vec2{broken.length, 0.0}) == 1);
   // The table of docs/theory/failure.md: b = 0, c = 0.05.
   BOOST_TEST(broken.length == 0.946, boost::test_tools::tolerance(0.02));
+}
+
+/// A wall loads the edge evenly, so the ice cracks along it, and at its ends towards the free edge.
+BOOST_AUTO_TEST_CASE(the_crack_along_a_long_load_runs_past_its_ends) {
+  const double l_c = failure::characteristic_length(kIce);
+  const Broken broken =
+      broken_by({.contact_length = 17.0 * l_c, .mu1 = 0.511, .pressure = 5e6}, plate::Accuracy::kFast);
+  BOOST_REQUIRE(broken.crack.size() > 10u);
+  BOOST_TEST(broken.crack.front().y < -8.5);
+  BOOST_TEST(broken.crack.back().y > 8.5);
+  // Under an even line load the moment of a half-infinite plate is largest at pi/4 l of the beam, l = sqrt(2) l_c.
+  BOOST_TEST(broken.length == 0.25 * kPi * std::sqrt(2.0), boost::test_tools::tolerance(0.03));
+  for (const double y : {-5.0, 5.0}) BOOST_TEST(std::abs(depth_at(broken.crack, y) - broken.length) < 0.15);
 }
 
 BOOST_AUTO_TEST_CASE(the_crack_ends_just_outside_the_edge) {

@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(both_halves_of_a_split_sheet_crack_from_the_free_edge_to_th
   const plate::LoadedSheet sheet = straight(0.3, true);
   const plate::SheetSolution solution = solved(sheet);
   const failure::WeakPlaces beside = failure::weak_places(sheet, solution, kIce, own_places(sheet));
-  const auto crack = failure::crack_through_halves(solution, beside.below->at, beside.above->at, 1.0, sheet.thickness);
+  const auto crack = failure::crack_through_halves(sheet, solution, beside.below->at, beside.above->at, 1.0);
   BOOST_REQUIRE(crack.size() > 10u);
   BOOST_TEST(crack.front().x < 0.0);
   BOOST_TEST(crack.front().y < 0.0);
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(the_crack_through_a_place_of_a_whole_sheet_runs_from_edge_t
   const plate::LoadedSheet sheet = straight(0.3, false);
   const plate::SheetSolution solution = solved(sheet);
   const Vec2 place = failure::weak_places(sheet, solution, kIce, own_places(sheet)).weakest()->at;
-  const auto crack = failure::crack_through(solution, place, 1.0, sheet.thickness);
+  const auto crack = failure::crack_through(sheet, solution, place, 1.0);
   BOOST_REQUIRE(crack.size() > 10u);
   BOOST_TEST(crack.front().x < 0.0);
   BOOST_TEST(crack.back().x < 0.0);

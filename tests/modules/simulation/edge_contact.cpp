@@ -64,6 +64,25 @@ BOOST_AUTO_TEST_CASE(only_a_criterion_that_asks_gets_the_outline) {
   BOOST_TEST(!scene.load(true).outline.empty());
 }
 
+/// A wall of 10 m meets ice of 0.6 m characteristic length.
+BOOST_AUTO_TEST_CASE(the_edge_along_a_wide_wall_is_known_past_its_ends) {
+  const model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/predictions/m5/wall.toml", {});
+  const auto hull = structure::make_hull(resolved.structure.shape);
+  const failure::IceProperties ice = simulation::ice_properties(resolved);
+  const brash::ice::Field field{resolved.field, ice};
+  const geometry::IceSheet& sheet = field.level_ice()[0].sheet();
+  const Listening criterion(true);
+  const simulation::EdgeModel model{*hull, resolved, ice, criterion};
+  const auto contacts = simulation::edge_contacts(model, sheet, {{{-1.49, 0.0, 0.0}, {}}, {{0.05, 0.0, 0.0}, {}}});
+  BOOST_REQUIRE_EQUAL(contacts.size(), 1u);
+  BOOST_TEST(contacts[0].region.contact_length == 10.0, boost::test_tools::tolerance(0.01));
+  failure::LoadCase load = contacts[0].load;
+  BOOST_REQUIRE(simulation::place_loads(model, sheet, contacts, 0, true, load).has_value());
+  const auto [least, most] = std::ranges::minmax(load.outline, {}, &Vec2::y);
+  BOOST_TEST(least.y < -5.5);
+  BOOST_TEST(most.y > 5.5);
+}
+
 BOOST_AUTO_TEST_CASE(a_disc_is_no_smaller_than_the_ice_is_thick) {
   const Scene scene;
   const double h = scene.ice.thickness;
