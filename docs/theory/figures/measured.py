@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""contacts-and-bodies.md and crushed-floes.md: their measurements."""
+"""contacts-and-bodies.md and fracture-of-floes.md: their measurements."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -36,8 +36,8 @@ def crushed():
     axes[0].plot(slender, 0.5 * (1 + 0.3 * slender / 2), color=SERIES[0])
     axes[0].set(xlabel="length over width $L/W$", ylim=(0, 1.15))
     axes[0].set_title(r"largest possible stress over $\sigma_c$", loc="left")
-    [_, _, fine] = next(row for row in table("crushed-floes.md", "20 s of validation")[1:] if "mean stress" in row[0])
-    _, *hard = table("crushed-floes.md", "cone, ice, time")
+    [_, _, fine] = next(row for row in table("fracture-of-floes.md", "20 s of validation")[1:] if "mean stress" in row[0])
+    _, *hard = table("fracture-of-floes.md", "cone, ice, time")
     bars = list(zip(("validation, median", "validation, 95 %", "validation, largest"), numbers(fine)))
     bars += [(f"{row[0]}, largest", numbers(row[2])[0]) for row in hard]
     for i, (_, value) in enumerate(reversed(bars)):

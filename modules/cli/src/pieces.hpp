@@ -31,7 +31,7 @@ PieceSizes read_piece_sizes(const std::string& path, bool born);
 /// @throws InputError for a polygon without area, or one that is not simple by itself.
 PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const std::string& source);
 
-/// Size distribution with its fits; docs/theory/floe-sizes.md.
+/// Size distribution with its fits; docs/theory/ice.md.
 struct PieceAnalysis {
   std::vector<statistics::SizeFit> fits;
   std::vector<std::string> not_fitted;  ///< "Weibull: why"

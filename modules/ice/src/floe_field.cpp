@@ -36,7 +36,7 @@ constexpr double kLeastGap = 2.0 * kAreaError;
 /// Steps of the concentration in which the reachable one is sought.
 constexpr double kConcentrationStep = 0.05;
 
-/// The cells of a power diagram, each shrunk about its centroid to its floe: docs/theory/floe-fields.md, (F5). Empty
+/// The cells of a power diagram, each shrunk about its centroid to its floe: docs/theory/ice.md, (F5). Empty
 /// where the floes do not fit.
 std::vector<Ring> eroded_cells(const Domain& domain, const std::vector<double>& areas,
                                statistics::RandomStream& random) {

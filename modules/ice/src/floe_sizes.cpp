@@ -10,7 +10,7 @@
 namespace brash::ice {
 namespace {
 
-/// docs/theory/floe-fields.md, (F2): P(size <= L) = (l^-a - L^-a) / (l^-a - m^-a) between the limits l and m, inverted.
+/// docs/theory/ice.md, (F2): P(size <= L) = (l^-a - L^-a) / (l^-a - m^-a) between the limits l and m, inverted.
 double power_law(const model::FloeSizes& law, double share) {
   const double a = law.exponent, least = law.least.value(), largest = law.largest.value();
   if (a == 0.0) return least * std::pow(largest / least, share);
@@ -35,7 +35,7 @@ double draw(const model::FloeSizes& law, statistics::RandomStream& random) {
     case model::SizeLaw::kPowerLaw:
       return power_law(law, random.uniform());
     case model::SizeLaw::kLogNormal:
-      return law.median.value() * std::exp(law.deviation * random.normal());  // floe-fields.md, (F3)
+      return law.median.value() * std::exp(law.deviation * random.normal());  // ice.md, (F3)
     case model::SizeLaw::kList:
       return law.values[static_cast<std::size_t>(random.uniform_int(0, static_cast<int>(law.values.size()) - 1))];
   }

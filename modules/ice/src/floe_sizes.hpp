@@ -9,7 +9,7 @@
 
 namespace brash::ice {
 
-/// The mean area of a floe, the mean of L^2 over the law of sizes L [m2]. docs/theory/floe-fields.md, (F2), (F3).
+/// The mean area of a floe, the mean of L^2 over the law of sizes L [m2]. docs/theory/ice.md, (F2), (F3).
 double mean_area(const model::FloeSizes& law);
 
 /// The first size that the case states for the law: the least, the median, or the first of the list [m].

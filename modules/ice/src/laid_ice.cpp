@@ -72,7 +72,7 @@ bool has_edge_on_border(const Polygon& part, const model::FieldSection& field) {
   return false;
 }
 
-/// As model::FieldSection::smallest_plate has it; docs/theory/free-sheet.md.
+/// As model::FieldSection::smallest_plate has it; docs/theory/fracture-of-floes.md.
 double breadth(const Polygon& part) {
   const auto [lower, upper] = geometry::extent(part);
   return geometry::area(part).square_metres() / std::max(upper.x - lower.x, upper.y - lower.y);

@@ -33,7 +33,7 @@ bool is_held(const geometry::Polygon& part, const model::FieldSection& field, st
 LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice);
 
 /// `ice` without the inside of `openings`, which may overlap; their holes keep the ice. Exact but for the rounding of
-/// crossings to the grid. docs/theory/openings.md, (O1).
+/// crossings to the grid. docs/theory/ice.md, (O1).
 std::vector<geometry::Polygon> with_openings(std::span<const geometry::Polygon> ice,
                                              std::span<const geometry::Polygon> openings);
 

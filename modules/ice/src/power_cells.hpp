@@ -20,7 +20,7 @@ struct Site {
 /// @param sites  in the domain, each with a cell at its first weight.
 /// @param areas  of the cells, which sum to the area of the domain [m2].
 /// @return the cells, convex, counter-clockwise [m]; areas to kAreaError.
-/// @see docs/theory/floe-fields.md, (F4)
+/// @see docs/theory/ice.md, (F4)
 std::vector<std::vector<Vec2>> cells_of_areas(const Domain& domain, std::vector<Site> sites,
                                               std::span<const double> areas);
 

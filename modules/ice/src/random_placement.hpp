@@ -46,7 +46,7 @@ class PlacedRings {
 };
 
 /// Places regular polygons of the given areas in `domain`, the largest first, each at the first random place and angle
-/// where it meets no other (random sequential addition; docs/theory/floe-fields.md, (F6)).
+/// where it meets no other (random sequential addition; docs/theory/ice.md, (F6)).
 ///
 /// @param areas     [m2].
 /// @param sides     4 for squares.

@@ -11,7 +11,7 @@ namespace brash::ice {
 namespace {
 
 /// More waves cost more and bring the correlation of one field nearer to its law; by rings and angles
-/// (docs/theory/ice-variation.md).
+/// (docs/theory/ice.md).
 constexpr int kRings = 16;
 constexpr int kAngles = 16;
 /// Where the case gives no correlation length, in thicknesses.

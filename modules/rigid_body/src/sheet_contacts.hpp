@@ -12,7 +12,7 @@ namespace brash::rigid_body {
 
 /// The contacts of one step between sheets that drift, and of such a sheet with fixed ice or a wall. A sheet is there
 /// in parts that lie side by side, so a face counts only where no other part of the sheet goes on behind it. The bodies
-/// of the solver are the sheets; docs/theory/free-sheet.md, (G10).
+/// of the solver are the sheets; docs/theory/fracture-of-floes.md, (G10).
 class SheetContacts {
  public:
   /// @param law  of ice on ice.

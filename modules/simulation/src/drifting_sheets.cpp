@@ -45,7 +45,7 @@ Drift by_centre(Vec2 place, double angle, Vec2 velocity, double spin, const Shee
   return {place - arm, angle, velocity - spin * perpendicular(arm), spin};
 }
 
-/// Even motion, about the centre; docs/theory/free-sheet.md, (G1), (G2).
+/// Even motion, about the centre; docs/theory/fracture-of-floes.md, (G1), (G2).
 Drift after(const Drift& drift, const SheetBody& body, double seconds) {
   const Vec2 velocity = centre_velocity(drift, body);
   return by_centre(centre_place(drift, body) + seconds * velocity, drift.angle + seconds * drift.spin, velocity,
@@ -170,7 +170,7 @@ void DriftingSheets::push(int number, Vec3 force, Vec3 point) {
   sheet.of_structure.moment += cross(plan(point) - centre_place(sheet.now, sheet.body), plan(force));
 }
 
-/// docs/theory/free-sheet.md, (G3), (G4).
+/// docs/theory/fracture-of-floes.md, (G3), (G4).
 void DriftingSheets::load_by_water(Sheet& sheet, double dt) const {
   const model::Case& c = *case_;
   const SheetBody& body = sheet.body;
@@ -192,7 +192,7 @@ void DriftingSheets::load_by_water(Sheet& sheet, double dt) const {
   sheet.skin = {(-skin / along) * past, -skin / around * gyration * spin};
 }
 
-/// docs/theory/floe-fields.md, (F8), on a top that is dry.
+/// docs/theory/ice.md, (F8), on a top that is dry.
 void DriftingSheets::load_by_wind(Sheet& sheet) const {
   const model::WindSection& wind = case_->wind;
   const Vec2 past = wind.velocity - centre_velocity(sheet.now, sheet.body);

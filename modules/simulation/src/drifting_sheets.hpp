@@ -58,8 +58,8 @@ struct WorkOnSheets {
   double wind = 0.0;
 };
 
-/// The sheets of level ice with free borders as bodies afloat, each by its number; docs/theory/free-sheet.md. They move
-/// in x, y and yaw. Weight and buoyancy are in balance, and bending is the failure model's.
+/// The sheets of level ice with free borders as bodies afloat, each by its number; docs/theory/fracture-of-floes.md.
+/// They move in x, y and yaw. Weight and buoyancy are in balance, and bending is the failure model's.
 ///
 /// In a step the structure sees a sheet move evenly at its velocity of the start, along advance(). The step of the
 /// world then finds the new velocity, from the loads of structure, water and wind and from contacts with floes, walls

@@ -74,7 +74,7 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
   }
 }
 
-/// docs/theory/free-sheet.md, (G5). What contacts with floes gave the sheets was booked with them.
+/// docs/theory/fracture-of-floes.md, (G5). What contacts with floes gave the sheets was booked with them.
 void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, double dt) {
   losses_.edge -= work.edge;
   for (const ContactLoad& contact : world.contacts_of_sheets()) {

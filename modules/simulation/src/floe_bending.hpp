@@ -19,7 +19,8 @@ struct Fracture {
   double tension = 0.0;  ///< mean, in the upper or lower face [Pa]
 };
 
-/// The loads in the sections of awake floes, each averaged over its floe's collision time (docs/theory/pieces.md).
+/// The loads in the sections of awake floes, each averaged over its floe's collision time
+/// (docs/theory/fracture-of-floes.md).
 class FloeBending {
  public:
   /// Averages over a step of `dt` [s].

@@ -21,7 +21,7 @@ namespace brash::simulation {
 ice::Field laid_field(const model::Case& resolved);
 
 /// The first velocity of floes and plates [m/s]. A field of floes drifts with the water that it begins in;
-/// docs/theory/floe-fields.md, (F7). Level ice begins at rest, and so do the floes beside it.
+/// docs/theory/ice.md, (F7). Level ice begins at rest, and so do the floes beside it.
 Vec2 drift_at_start(const model::Case& resolved);
 
 /// Takes the floes beside the level ice of `field`. A field of floes has some, and ice of files may.

@@ -8,7 +8,7 @@
 namespace brash::simulation {
 
 /// The ice at a contact. Plate theory knows even ice alone, so a contact is loaded and judged as if all of the sheet
-/// were as it is there. docs/theory/ice-variation.md
+/// were as it is there. docs/theory/ice.md
 class LocalIce {
  public:
   /// At a place, frame of the sheet [m].

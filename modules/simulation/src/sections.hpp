@@ -34,21 +34,21 @@ struct SectionLoad {
 };
 
 /// The sections in which a floe may break, and their loads under forces that accelerate it as a free rigid plate
-/// (docs/theory/pieces.md).
+/// (docs/theory/fracture-of-floes.md).
 class Sections {
  public:
   /// Evenly spaced in twelve directions. Each leaves ice as far as one thickness on either side. A floe shorter than
-  /// two has none: bending breaks no block, docs/theory/pieces.md, (P6).
+  /// two has none: bending breaks no block, docs/theory/fracture-of-floes.md, (P6).
   explicit Sections(const Prism& floe);
 
   const std::vector<Section>& all() const { return sections_; }
 
   /// The load in each section under `forces` and the inertia of the plate, linear in the forces. Weight and buoyancy
-  /// give next to none. docs/theory/pieces.md, (P1), (P2), (P3), (P5)
+  /// give next to none. docs/theory/fracture-of-floes.md, (P1), (P2), (P3), (P5)
   std::vector<SectionLoad> loads(std::span<const PointForce> forces) const;
 
   /// The largest tension in the two faces under a load in section number `i` [Pa], 0 in a section that is higher than
-  /// wide: docs/theory/pieces.md, (P4).
+  /// wide: docs/theory/fracture-of-floes.md, (P4).
   double tension(std::size_t i, const SectionLoad& load) const;
 
  private:

@@ -65,7 +65,8 @@ void lay_sheet_near(State& s, const Laws& laws, BodyId body);
 void hand_over_sheets(State& s, const Laws& laws);
 /// The step of the bodies has found the velocities of the sheets.
 void take_back_sheets(State& s, const Laws& laws);
-/// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/free-sheet.md, (G6), (G7), (G8).
+/// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/fracture-of-floes.md, (G6), (G7),
+/// (G8).
 void split_sheets(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step);
 /// A sheet that has become small goes on as a floe.
 void release_small_sheets(State& s, const Laws& laws, Step& step);

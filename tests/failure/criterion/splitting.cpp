@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The law of docs/theory/free-sheet.md, (G7), (G8), (G9).
+/// The law of docs/theory/fracture-of-floes.md, (G7), (G8), (G9).
 #include "brash/failure/splitting.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Level ice with openings and cracks from files (docs/theory/openings.md).
+// Level ice with openings and cracks from files (docs/theory/ice.md).
 #include "laid_ice.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets that drift meet each other, fixed walls and floes; docs/theory/free-sheet.md, "Contact".
+// Sheets that drift meet each other, fixed walls and floes; docs/theory/fracture-of-floes.md, "Contact".
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -40,7 +40,7 @@ struct Sheet {
   Vec2 momentum() const { return mass * velocity; }
   double angular_momentum() const { return inertia * spin + mass * cross(centre, velocity); }
 
-  /// As docs/theory/free-sheet.md, (G1), (G2): an even move, and then the step of the world.
+  /// As docs/theory/fracture-of-floes.md, (G1), (G2): an even move, and then the step of the world.
   void hand_over() {
     world.set_sheet(id, {mass, inertia, centre, velocity, spin, force, 0.0});
     centre += kStep * velocity;
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(Two_sheets_that_collide_go_on_together_with_their_momentum_
   BOOST_TEST(other.velocity.x == together, tt::tolerance(1e-6));
   BOOST_TEST(norm(one.momentum() + other.momentum() - Vec2{momentum, 0.0}) < 1e-12 * one.mass);
   const double reduced = one.mass * other.mass / (one.mass + other.mass);
-  BOOST_TEST(taken == 0.5 * reduced * 0.25, tt::tolerance(1e-6));  // free-sheet.md, (G11)
+  BOOST_TEST(taken == 0.5 * reduced * 0.25, tt::tolerance(1e-6));  // fracture-of-floes.md, (G11)
   BOOST_TEST(before - one.energy() - other.energy() == taken, tt::tolerance(1e-12));
 }
 

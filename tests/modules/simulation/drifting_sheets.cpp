@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets with free borders as bodies; docs/theory/free-sheet.md.
+// Sheets with free borders as bodies; docs/theory/fracture-of-floes.md.
 #include "drifting_sheets.hpp"
 
 #include <array>
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(wind_and_current_carry_a_sheet_along_at_the_free_drift) {
   const double air = c.wind.density * c.wind.skin_friction * a * b;
   const double water =
       0.5 * c.water.density * (c.hydrodynamics.form_drag * draught * b + c.hydrodynamics.skin_friction * a * b);
-  const double nansen = std::sqrt(air / water);  // floe-fields.md, (F9)
+  const double nansen = std::sqrt(air / water);  // ice.md, (F9)
   const double drift = 0.3 + nansen / (1.0 + nansen) * 14.7;
   BOOST_TEST(lone.sheets.motions()[0].velocity.x == drift, boost::test_tools::tolerance(2e-4));  // 1 + dt c / m
   BOOST_TEST(work > lone.sheets.kinetic_energy());
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
     for (const rigid_body::ContactLoad& contact : lone.world.contacts_of_sheets())
       if (!tiles.level_ice_of(contact.other)) on_wall -= contact.normal_force * contact.normal.x / kCount;
   }
-  BOOST_TEST(on_wall == expected, boost::test_tools::tolerance(1e-3));  // floe-fields.md, (F10)
+  BOOST_TEST(on_wall == expected, boost::test_tools::tolerance(1e-3));  // ice.md, (F10)
   for (const simulation::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
 }
 

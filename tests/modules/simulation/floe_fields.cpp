@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of floes: their drift, two that collide, a jam against a wall, and whole runs (docs/theory/floe-fields.md).
+// Fields of floes: their drift, two that collide, a jam against a wall, and whole runs (docs/theory/ice.md).
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -35,7 +35,7 @@ model::Case field_case(const std::vector<std::string>& more = {}) {
   return io::read_case(BRASH_SOURCE_DIR "/experiments/fields/cone.toml", overrides);
 }
 
-/// A square floe of side `l` that a wind U and a current along it drive: where water and wind balance, floe-fields.md,
+/// A square floe of side `l` that a wind U and a current along it drive: where water and wind balance, ice.md,
 /// (F9). Besides friction on the bottom and two sides there is form drag on one end.
 double free_drift(const model::Case& c, double l, double wind, double current) {
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_jam_presses_on_the_wall_with_the_wind_on_all_its_floes) {
       impulse -= kStep * (contact.normal_force * contact.normal.x + contact.friction_force.x);
     }
   }
-  // floe-fields.md, (F10): the wall bears the wind on 8 floes, each 9 m2, as a mean over 30 s. What is left is their
+  // ice.md, (F10): the wall bears the wind on 8 floes, each 9 m2, as a mean over 30 s. What is left is their
   // last motion.
   const double wind = 1.3 * 0.0015 * 400.0 * 8.0 * 9.0;
   BOOST_TEST(impulse / (kCount * kStep) == wind, tt::tolerance(0.01));

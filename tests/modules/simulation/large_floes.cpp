@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large floes of a field are plates that drift, meet and break; docs/theory/floe-fields.md, free-sheet.md.
+// Large floes of a field are plates that drift, meet and break; docs/theory/ice.md, fracture-of-floes.md.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>

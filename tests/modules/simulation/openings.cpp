@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in level ice with leads, channels, cracks and floes from files (docs/theory/openings.md).
+// Runs in level ice with leads, channels, cracks and floes from files (docs/theory/ice.md).
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>

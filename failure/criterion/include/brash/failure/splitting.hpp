@@ -19,7 +19,7 @@ struct SplitPlate {
 /// Stress intensity K_I of a crack that is `share` of the plate's length deep [Pa m^0.5]. Negative: it is closed.
 ///
 /// Plane stress, linear elastic, no inertia of the parts against each other. Breadths from an eighth of the length on,
-/// cracks from 1 to 90 % of it; the nearest of these beyond. docs/theory/free-sheet.md, (G7).
+/// cracks from 1 to 90 % of it; the nearest of these beyond. docs/theory/fracture-of-floes.md, (G7).
 double stress_intensity(const SplittingLoad& load, const SplitPlate& plate, double share);
 
 /// The least of it on the crack's way through the plate, of any breadth. The load splits the plate where it exceeds the

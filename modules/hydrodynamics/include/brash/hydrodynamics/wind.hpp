@@ -17,7 +17,7 @@ struct Wind {
 /// about the centre of mass. None where the upper face looks down.
 ///
 /// The face is dragged along the horizontal wind against it, at the velocity of the dry part's centroid.
-/// @see docs/theory/floe-fields.md, (F8)
+/// @see docs/theory/ice.md, (F8)
 Wrench wind_load(const Prism& prism, const Pose& pose, const Twist& twist, const Wind& wind);
 
 }  // namespace brash::hydrodynamics

@@ -28,7 +28,7 @@ struct FloeFieldError {
   std::string remedy;
 };
 
-/// The size of a floe, L = sqrt(area) [m]; docs/theory/floe-fields.md, (F1).
+/// The size of a floe, L = sqrt(area) [m]; docs/theory/ice.md, (F1).
 double size_of(const geometry::Polygon& floe);
 
 /// The distribution function of a law of sizes at `size` [m]: the share of floes that are no larger. (F2), (F3)

@@ -18,7 +18,7 @@ namespace brash::ice {
 ///
 /// It is a function of the place alone, so neither a grid nor an order of calls changes it. The wave vectors k_i are
 /// drawn from the field's spectrum, a normal distribution of deviation sqrt(2) / l. Shinozuka and Deodatis 1991: Appl.
-/// Mech. Rev. 44(4); docs/theory/ice-variation.md, (R1).
+/// Mech. Rev. 44(4); docs/theory/ice.md, (R1).
 class GaussianField {
  public:
   /// @param length  l [m], > 0.
@@ -36,7 +36,7 @@ class GaussianField {
 };
 
 /// Thickness and flexural strength of level ice from place to place: independent log-normal fields about the ice's own
-/// values, which are their means. docs/theory/ice-variation.md, (R2)
+/// values, which are their means. docs/theory/ice.md, (R2)
 class Variation {
  public:
   /// Even ice.

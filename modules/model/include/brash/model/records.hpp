@@ -190,7 +190,7 @@ struct CrackEvent {
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
 
-/// A drifting sheet that split in its plane; docs/theory/free-sheet.md, (G6), (G7).
+/// A drifting sheet that split in its plane; docs/theory/fracture-of-floes.md, (G6), (G7).
 struct SheetSplit {
   double time = 0.0;
   Vec2 at{};                      ///< on the edge, where the crack began [m]

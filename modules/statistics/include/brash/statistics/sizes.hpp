@@ -11,7 +11,7 @@
 
 namespace brash::statistics {
 
-/// Distributions of the sizes of floes; docs/theory/floe-sizes.md.
+/// Distributions of the sizes of floes; docs/theory/ice.md.
 enum class SizeLaw {
   kLogNormal,  ///< parameters: median, deviation of the natural logarithm
   kWeibull,    ///< parameters: scale, shape
@@ -46,11 +46,11 @@ struct TailSettings {
 /// Maximum-likelihood fit with exact intervals (Student's, chi squared) and Anderson and Darling's test for a normal
 /// logarithm (Stephens).
 /// @param sizes  > 0; at least 10 that are not all equal.
-/// @see docs/theory/floe-sizes.md, (D2), (D3).
+/// @see docs/theory/ice.md, (D2), (D3).
 tl::expected<SizeFit, FitError> fit_log_normal_sizes(std::span<const double> sizes, double confidence = 0.95);
 
 /// Maximum-likelihood fit with intervals from the information matrix, on the scale of logarithms.
-/// @see docs/theory/floe-sizes.md, (D4).
+/// @see docs/theory/ice.md, (D4).
 tl::expected<SizeFit, FitError> fit_weibull_sizes(std::span<const double> sizes, double confidence = 0.95);
 
 /// The tail above the least size from which on a power law fits best, after Clauset, Shalizi and Newman.
@@ -58,7 +58,7 @@ tl::expected<SizeFit, FitError> fit_weibull_sizes(std::span<const double> sizes,
 /// The least size minimises Kolmogorov and Smirnov's distance. Intervals are percentiles of the bootstrap, the choice
 /// of the least size in it. The p-value counts simulated samples, chosen and fitted likewise, that lie farther off.
 /// @param sizes  > 0; at least 50, of which the tail keeps at least 10.
-/// @see A. Clauset, C. R. Shalizi, M. E. J. Newman, SIAM Review 51 (2009) 661; docs/theory/floe-sizes.md, (D5), (D6).
+/// @see A. Clauset, C. R. Shalizi, M. E. J. Newman, SIAM Review 51 (2009) 661; docs/theory/ice.md, (D5), (D6).
 tl::expected<SizeFit, FitError> fit_power_tail(std::span<const double> sizes, const TailSettings& settings = {});
 
 }  // namespace brash::statistics
