@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors of b, c and theta against the noise of the edge; the table of docs/theory/trapezoid-fit.md.
+// Errors of b, c and theta against the noise of the edge; the table of docs/theory/fracture-of-the-edge.md.
 // `--log_level=message` prints it.
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fit on sheets. `--log_level=message` prints the numbers of docs/theory/trapezoid-fit.md.
+// The fit on sheets. `--log_level=message` prints the numbers of docs/theory/fracture-of-the-edge.md.
 #include <boost/test/unit_test.hpp>
 
 #include "brash/geometry/trapezoid.hpp"

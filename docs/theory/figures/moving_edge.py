@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""dynamic-edge.md: breaking load and breaking length against the speed."""
+"""fracture-of-the-edge.md: breaking load and breaking length against the speed."""
 import math
 import pathlib
 

@@ -19,8 +19,8 @@ double principal(const plate::Tensor2& stress);
 
 // Cracks follow the stress on a surface: they run across the larger principal stress, either way from their start,
 // until they leave the ice. Frame and lengths of LoadedSheet, from y < 0 to y > 0; both ends lie just outside the ice.
-// Nothing where a crack does not reach the free edge within 6 l_c, and half the longest load more, whose stress it
-// follows. See docs/theory/failure.md, (7).
+// Nothing where a crack does not reach the free edge within 6 l_c and half the longest load, whose stress it follows.
+// See docs/theory/fracture-of-the-edge.md, (7).
 
 /// The crack that starts at (`from`, 0). Nothing where it turns back to the centre line.
 std::vector<Vec2> crack_from_line(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, double from,

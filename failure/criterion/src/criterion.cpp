@@ -20,7 +20,7 @@ namespace {
 
 /// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is
 /// crushed (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen:
-/// docs/theory/meta-model.md.
+/// docs/theory/fracture-of-the-edge.md.
 constexpr double kPlateMargin = 1.25;
 /// A split sheet has up to 1.3 times the stress of a whole one.
 constexpr double kSplitMargin = 1.5;

@@ -15,7 +15,7 @@ double distance(Vec2 place, Vec2 from, Vec2 to);
 ///
 /// A load bends a place by (|P| + |M| / l_c) share_at(d / l_c), d away from it. Loads without a verdict of their own
 /// own no place.
-/// @see docs/theory/failure.md, (8)
+/// @see docs/theory/fracture-of-the-edge.md, (8)
 class OwnPlaces {
  public:
   /// @param loads  the contact's own first, at least one; frame of LoadCase::outline.

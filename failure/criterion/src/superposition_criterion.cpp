@@ -70,7 +70,7 @@ class SuperpositionCriterion final : public BendingCriterion {
 
   bool above_range(const LoadCase& load) const override { return place(load).answer.above_range; }
 
-  /// Largest principal and edge stress by docs/theory/meta-model.md, (2).
+  /// Largest principal and edge stress by docs/theory/fracture-of-the-edge.md, (N2).
   std::optional<Assessment> dismiss(const LoadCase& load) const override {
     const auto [used, pressure, answer] = place(load);
     const meta_model::ProfileExtremes most = bound_.at(used);

@@ -26,7 +26,7 @@ struct WeakPlaces {
 /// Looks within 2.5 l_c of B, at places of the contact's own load. Plate theory says nothing nearer than h to a load,
 /// the free edge or the radial crack.
 /// @param ice  of `sheet`: its l_c is the unit of the sheet's lengths.
-/// @see docs/theory/failure.md, (6).
+/// @see docs/theory/fracture-of-the-edge.md, (6).
 WeakPlaces weak_places(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, const IceProperties& ice,
                        const OwnPlaces& own);
 

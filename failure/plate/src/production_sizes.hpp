@@ -5,7 +5,7 @@
 
 namespace brash::plate {
 
-// Production sizes over l_c, chosen by the convergence study of docs/theory/failure.md.
+// Production sizes over l_c, chosen by the convergence study of docs/theory/fracture-of-the-edge.md.
 inline constexpr double kTipSize = 0.035;       ///< along the tip edge, or kTipShare of it where that is less
 inline constexpr double kTipShare = 0.105;      ///< of the contact length
 inline constexpr double kTipCornerShare = 0.1;  ///< of the size along the tip edge, where the load ends
@@ -18,7 +18,7 @@ inline constexpr double kBreakingZone = 1.5;  ///< length of the fine centre lin
 inline constexpr double kHalfWidth =
     2000.0;  ///< of the sheet: bending needs 8; clamping the membrane at R adds 0.4 p c / R
 
-// The same for a sheet that moves water, by the convergence study of docs/theory/dynamic-edge.md.
+// The same for a sheet that moves water, by the convergence study of docs/theory/fracture-of-the-edge.md.
 inline constexpr double kMovingCentreSize = 0.08;
 inline constexpr double kMovingTipSize = 0.05;
 inline constexpr double kMovingTipReach = 0.5;     ///< of the fine part of a long tip edge from B

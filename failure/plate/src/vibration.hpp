@@ -9,8 +9,8 @@
 
 namespace brash::plate {
 
-/// A plate on moving water, K w + M w_tt = f (docs/theory/dynamic-edge.md, (1), (6)), in the Krylov space of K^-1 M
-/// from its static answer K^-1 f. There the motion is a sum of free vibrations, exact in time.
+/// A plate on moving water, K w + M w_tt = f (docs/theory/fracture-of-the-edge.md, (W1), (W6)), in the Krylov space of
+/// K^-1 M from its static answer K^-1 f. There the motion is a sum of free vibrations, exact in time.
 struct Vibration {
   Eigen::MatrixXd outputs;  ///< of the vectors of the space, shape=(n_outputs, n_vectors); the first is K^-1 f scaled
   double at_rest = 0.0;     ///< coefficient of the first in K^-1 f

@@ -213,7 +213,8 @@ void fit_edges(const EdgeFiles& files) {
   std::string card = fmt::format(
       "# Model card: {}\n\nResponses of a moving ice edge to a growing line load on the tip of a trapezoid: the "
       "deflection of B and the\n"
-      "moments on the centre line and along the edge at B, with the water's inertia (docs/theory/dynamic-edge.md).\n\n"
+      "moments on the centre line and along the edge at B, with the water's inertia "
+      "(docs/theory/fracture-of-the-edge.md).\n\n"
       "- content hash of the model (SHA-256): `{}`\n{}- {} geometries, {} modes\n\n## Range\n\n"
       "| input | from | to |\n|---|---|---|\n| b / l_c | {:.4g} | {:.4g} |\n| c / l_c | {:.4g} | {:.4g} |\n"
       "| theta [deg] | {:.4g} | {:.4g} |\n| h / l_c | {:.4g} | {:.4g} |\n",

@@ -177,7 +177,7 @@ bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& conta
 }
 
 /// Plate theory says nothing nearer to a load than the ice is thick; a network may even answer with a negative length.
-/// So no disc is smaller: docs/theory/failure.md, (7).
+/// So no disc is smaller: docs/theory/fracture-of-the-edge.md, (7).
 void bound_disc(const failure::IceProperties& ice, failure::Assessment& answer) {
   if (answer.fails && answer.crack.empty()) answer.breaking_length = std::max(answer.breaking_length, ice.thickness);
 }

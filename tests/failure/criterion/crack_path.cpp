@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_crack_crosses_the_centre_line_at_the_breaking_length) {
   const Broken broken = broken_by(narrow_load(), plate::Accuracy::kFast);
   BOOST_REQUIRE(!broken.crack.empty());
   BOOST_TEST(std::ranges::count(broken.crack, Vec2{broken.length, 0.0}) == 1);
-  // The table of docs/theory/failure.md: b = 0, c = 0.05.
+  // The table of docs/theory/fracture-of-the-edge.md: b = 0, c = 0.05.
   BOOST_TEST(broken.length == 0.946, boost::test_tools::tolerance(0.02));
 }
 

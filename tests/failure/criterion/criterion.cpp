@@ -22,7 +22,7 @@ using namespace brash;
 using namespace brash::failure;
 namespace fs = std::filesystem;
 
-/// Largest error of the fast mesh in the stress: docs/theory/failure.md.
+/// Largest error of the fast mesh in the stress: docs/theory/fracture-of-the-edge.md.
 constexpr double kFastMesh = 0.02;
 
 /// Table 1 of the paper.
@@ -284,7 +284,8 @@ BOOST_AUTO_TEST_CASE(the_second_order_raises_the_stress_and_a_plate_that_buckles
 }
 
 BOOST_AUTO_TEST_CASE(a_radial_crack_comes_first_where_the_edge_stress_exceeds_the_strength) {
-  // The straight edge of the table in docs/theory/failure.md: it breaks at 1.1 MPa whole, at 0.93 MPa split.
+  // The straight edge of the table in docs/theory/fracture-of-the-edge.md: it breaks at 1.1 MPa whole, at 0.93 MPa
+  // split.
   const LoadCase straight{.contact_length = 0.5, .mu1 = 0.511, .mu2 = 0.01, .pressure = 1e6};
   for (const auto model :
        {model::FailureModel::kPlate, model::FailureModel::kPlateOutline, model::FailureModel::kSuperposition}) {

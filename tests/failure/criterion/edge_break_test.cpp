@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_slow_push_is_static) {
   print("protrusion, slow", slow);
   BOOST_TEST(std::abs(slow.load / rest.load - 1.0) < 0.005);
   BOOST_TEST(std::abs(slow.deflection / rest.deflection - 1.0) < 0.005);
-  // The bound on the speed of docs/theory/dynamic-edge.md, (7), is 0.045 m/s here.
+  // The bound on the speed of docs/theory/fracture-of-the-edge.md, (W7), is 0.045 m/s here.
   const auto at_bound = failure::break_edge(r, ice(), push(0.045, 0.3));
   print("protrusion, at the bound", at_bound);
   BOOST_TEST(std::abs(at_bound.load / rest.load - 1.0) < 0.01);

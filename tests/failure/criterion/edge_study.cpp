@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Not a test: the breaking load and the breaking length of three models on edges of real runs, to first order and
-// without radial cracks. The reference is the true edge on the fine mesh. The numbers of docs/theory/failure.md.
+// without radial cracks. The reference is the true edge on the fine mesh. The numbers of
+// docs/theory/fracture-of-the-edge.md.
 //
 //   edge_study [first seed] [last seed] [least steps between contacts]
 

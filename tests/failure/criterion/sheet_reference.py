@@ -5,7 +5,7 @@
     sheet_reference.py FILE [--scale 1] [--only NAME ...] [--print]
 
 Mesh, elements, loads and the search for the largest stress are its own; the program's code is not used. The laws are
-those of docs/theory/failure.md: (2), (3), (4), (6) and (8). FreeFem++ solves what sheet_reference.edp says.
+those of docs/theory/fracture-of-the-edge.md: (2), (3), (4), (6) and (8). FreeFem++ solves what sheet_reference.edp says.
 A sheet is split too where the stress along the edge at B exceeds 0.75 of the strength.
 """
 

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_agree_with_the_plate_
       .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
   const double l_c = characteristic_length(ice);
   const auto plate = make_criterion(model::FailureModel::kPlate, "", ice);
-  // The 95 % errors on geometries that neither model has seen: docs/theory/meta-model.md.
+  // The 95 % errors on geometries that neither model has seen: docs/theory/fracture-of-the-edge.md.
   for (const Case& c :
        {Case{model::FailureModel::kNetwork, 0.10, 0.163}, Case{model::FailureModel::kDeepNetwork, 0.02, 0.042},
         Case{model::FailureModel::kSuperposition, 0.01, 0.02}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors and times of the production mesh over the parameter range: the numbers of docs/theory/failure.md.
+// Errors and times of the production mesh over the parameter range: the numbers of docs/theory/fracture-of-the-edge.md.
 //
 //   plate_study [cases] [scale] [order]     cases over the whole range
 //   plate_study corners [scale] [order]     corners and faces of the range, mu1 at both ends

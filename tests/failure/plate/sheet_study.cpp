@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors and times of the fast sheet on random jagged edges: the numbers of docs/theory/failure.md.
+// Errors and times of the fast sheet on random jagged edges: the numbers of docs/theory/fracture-of-the-edge.md.
 //
 //   sheet_study [cases] [first]     each is solved on the fast mesh and on the fine one
 

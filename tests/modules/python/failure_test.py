@@ -97,7 +97,7 @@ class Models(unittest.TestCase):
             changes = {"algorithm.preset": "brash", "failure.order": "circumferential-first", "failure.second_order": False,
                        "failure.pattern": "disc", "failure.judged": judged}
             return brash.Criterion(brash.Case.from_file(CONE, changes))(**load).sigma_max
-        # docs/theory/failure.md, beside the centre line: 1.23 with the fine mesh, 1.19 with the fast one
+        # docs/theory/fracture-of-the-edge.md, beside the centre line: 1.23 with the fine mesh, 1.19 with the fast one
         self.assertAlmostEqual(float(stress("anywhere") / stress("centre-line")), 1.21, delta=0.03)
 
     def test_load_ratios_of_a_frictionless_slope(self):

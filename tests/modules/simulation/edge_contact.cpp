@@ -186,7 +186,8 @@ BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under
     simulation::assess(model, scene.sheet(), contacts);
     return contacts[0].assessment.fails;
   };
-  // A straight edge of this ice breaks at 85 kN out of the plane, with 160 kN in it (docs/theory/failure.md).
+  // A straight edge of this ice breaks at 85 kN out of the plane, with 160 kN in it
+  // (docs/theory/fracture-of-the-edge.md).
   BOOST_TEST(!fails(1.2e5, 6e4));
   BOOST_TEST(fails(2e5, 1.1e5));
   BOOST_TEST(!fails(2e5, 0.0));

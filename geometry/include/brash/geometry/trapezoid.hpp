@@ -49,7 +49,7 @@ struct FitRequest {
 /// - Without any edge: b = 0 with error 1.
 ///
 /// Always returns a trapezoid. The same input gives the same bits.
-/// @see paper, Figs. 3 and 4; docs/theory/trapezoid-fit.md, (1), (2).
+/// @see paper, Figs. 3 and 4; docs/theory/fracture-of-the-edge.md, (T1), (T2).
 Trapezoid fit_trapezoid(std::span<const std::vector<Vec2>> edges, const FitRequest& request);
 
 /// The same to the free edge of `sheet` within the window.

@@ -24,7 +24,8 @@ struct IceProperties {
   double water_density = 1025.0;      ///< rho_w [kg/m3]
 };
 
-/// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density; docs/theory/failure.md, (1).
+/// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density;
+/// docs/theory/fracture-of-the-edge.md, (1).
 double characteristic_length(const IceProperties& ice);
 
 /// How much a load bends the ice at a distance along a straight edge, over the same load there [-].
@@ -57,7 +58,7 @@ struct LoadRatios {
 /// @param friction  mu [-], >= 0.
 /// @param heading   H [rad]: direction of motion, counter-clockwise from the contact's plan normal (into the ice).
 ///                  On the port flank of a structure that moves along x (normal (0.6, 0.8)) it is negative.
-/// @see docs/theory/meta-model.md, (1)
+/// @see docs/theory/fracture-of-the-edge.md, (N1)
 LoadRatios load_ratios(double slope, double friction, double heading);
 
 /// A load on the sheet near a contact, even along a stretch of the free edge or over a disc inside the ice. Frame of
@@ -83,7 +84,7 @@ struct SheetMotion {
 };
 
 /// The motion of an edge, as long as the sheet is whole and once a radial crack has split it.
-/// @see docs/theory/dynamic-edge.md
+/// @see docs/theory/fracture-of-the-edge.md
 struct EdgeMotion {
   SheetMotion whole, split;
 };
@@ -145,7 +146,7 @@ class BendingCriterion {
   virtual std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const = 0;
 };
 
-/// Options that go beyond the paper's criterion. docs/theory/failure.md, (4)
+/// Options that go beyond the paper's criterion. docs/theory/fracture-of-the-edge.md, (4)
 struct BendingOptions {
   /// The in-plane force N acts on the bent plate: `superposition`, `plate` and `plate-outline`. A plate that buckles
   /// under N fails.

@@ -33,7 +33,7 @@ struct EdgeBreak {
 /// N stays linear in d, also beyond the depth at which the surface cuts through the ice. The sheet stays whole after a
 /// radial crack. In-plane stresses are static.
 /// @param responses  of the geometry with this contact length.
-/// @see docs/theory/dynamic-edge.md, (5)
+/// @see docs/theory/fracture-of-the-edge.md, (W5)
 EdgeBreak break_edge(const plate::EdgeResponses& responses, const IceProperties& ice, const EdgePush& push);
 
 /// The same for a speed that tends to zero: the static plate. Its time is zero.

@@ -25,7 +25,7 @@ struct EdgeSample {
 /// The geometries fill a grid in depth, contact length, angle and thickness, for whole and for split sheets. The
 /// responses are written in their principal modes, and the modes' coefficients are interpolated along each axis. A mass
 /// ratio other than the database's 0.88 h / l_c scales the times: t / sqrt(mass_ratio + 0.15) stays.
-/// @see docs/theory/dynamic-edge.md
+/// @see docs/theory/fracture-of-the-edge.md
 class EdgeResponseModel {
  public:
   /// Builds the model from solved geometries.

@@ -58,7 +58,7 @@ struct TrainedHumps {
 /// the larger one: of a hump that does not answer only that it is the lower one matters, so its stress is also raised
 /// to 0.3 times the larger one's. The same samples and options give the same network.
 /// @throws InputError when there are fewer rows than weights.
-/// @see docs/theory/meta-model.md
+/// @see docs/theory/fracture-of-the-edge.md
 TrainedHumps train_humps(std::span<const HumpSample> samples, const HumpTrainingOptions& options);
 
 }  // namespace brash::meta_model

@@ -20,7 +20,7 @@ struct ProfileExtremes {
 /// Profiles are of order 1 when they are divided by the values of a beam as wide as the load has spread. Tangential
 /// stresses are divided by 1 + b / base width instead. The largest quotients come from a lattice of geometries; between
 /// its points they may be somewhat larger.
-/// @see docs/theory/meta-model.md, (2)
+/// @see docs/theory/fracture-of-the-edge.md, (N2)
 class ProfileBound {
  public:
   /// For geometries of the model's range with one h / l_c [-], which is inside it.

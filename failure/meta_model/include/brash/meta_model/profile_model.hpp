@@ -43,7 +43,7 @@ struct ProfileSample {
 /// principal modes; the modes' coefficients are interpolated by fifth powers of distances with a quadratic part,
 /// bending and membrane each over the features that it depends on. The model passes through the solved geometries up to
 /// the modes that are left out.
-/// @see docs/theory/meta-model.md
+/// @see docs/theory/fracture-of-the-edge.md
 class ProfileModel {
  public:
   /// Builds the model from solved geometries: at least two for each term of the quadratic part over the inputs that

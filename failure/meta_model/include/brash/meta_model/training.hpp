@@ -87,7 +87,7 @@ struct Trained {
 ///
 /// Geometries, not rows, are divided into training, validation and test parts.
 /// @throws InputError when there are too few geometries to divide, or a row cannot be used (stress, c or mu1 <= 0).
-/// @see docs/theory/meta-model.md
+/// @see docs/theory/fracture-of-the-edge.md
 Trained train(std::span<const Sample> samples, const TrainingOptions& options);
 
 /// Quantile of sorted values, linear between order statistics; those of all model cards.

@@ -41,7 +41,7 @@ inline constexpr double kUsualMass = 0.0886;
 /// last time F is `static + (F(last) - static) last / t`; before the first it grows as t. series_weights() knows this.
 ///
 /// Membrane stresses are static, per p = N / h for a line load N in the plane: they reach across the sheet at once.
-/// @see docs/theory/dynamic-edge.md, (4)
+/// @see docs/theory/fracture-of-the-edge.md, (W4)
 struct EdgeResponses {
   std::vector<double> time;         ///< t / T, shape=(n_times,), > 0, in equal steps of its logarithm
   std::vector<double> station;      ///< |AB| / l_c on the centre line, shape=(n_stations,), from 0

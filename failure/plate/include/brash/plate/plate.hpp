@@ -54,7 +54,7 @@ struct Tensor2 {
 /// How the in-plane normal load changes the moments of UnitProfiles (second order). With n = N / sqrt(k D) and
 /// r = n / buckling_load the moments are `bending + r first + r^2 / (1 - r) rest`: the exact series up to r^2, and a
 /// geometric one of the buckling mode beyond.
-/// @see docs/theory/failure.md, (5)
+/// @see docs/theory/fracture-of-the-edge.md, (5)
 struct InPlaneTerms {
   double buckling_load = 0.0;  ///< n at which the plate buckles [-]; 0: the terms are not there
   std::vector<Tensor2> first;  ///< shape=(n_stations,) both, as UnitProfiles::bending
@@ -86,7 +86,7 @@ struct PlateError {
 };
 
 /// Solves the floating plate for its three unit loads (one factorisation of each operator, three right-hand sides).
-/// @see docs/theory/failure.md, (2)
+/// @see docs/theory/fracture-of-the-edge.md, (2)
 tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options = {});
 
 /// The fields with the moments of the plate that is also compressed by n = N / sqrt(k D) [-], from their in-plane
@@ -104,7 +104,8 @@ struct Response {
   double sigma_root_over_p = 0.0;    ///< bound on the principal stress at the re-entrant roots
 };
 
-/// Superposes the unit fields, docs/theory/failure.md, (3): exact in P/N, f/N and l_c/h = 1/plate.thickness.
+/// Superposes the unit fields, docs/theory/fracture-of-the-edge.md, (3): exact in P/N, f/N and l_c/h =
+/// 1/plate.thickness.
 ///
 /// @param thickness_over_lc  h / l_c [-], > 0; for shear-flexible profiles, the ratio of the plate solved for them.
 /// @param mu1  its sign says which surface P puts in tension and has no other effect.

@@ -32,8 +32,8 @@ struct PatchLoad {
 
 /// How finely the sheet is meshed.
 enum class Accuracy {
-  /// As kFast, with quadratic elements in bending, to screen: errs by 1.5 and 4.9 %. docs/theory/failure.md has the
-  /// table.
+  /// As kFast, with quadratic elements in bending, to screen: errs by 1.5 and 4.9 %.
+  /// docs/theory/fracture-of-the-edge.md has the table.
   kCoarse,
   kFast,  ///< errs by 0.8 % in the largest stress in the median, by 2.4 % in 95 of 100 recorded sheets
   kFine,  ///< the sizes of the production mesh: errs by 0.3 and 1.7 %
@@ -54,7 +54,7 @@ struct LoadedSheet {
   std::vector<PatchLoad> patch_loads{};  ///< shape=(m,)
   double thickness = 0.1;                ///< h / l_c [-]
   double poisson_ratio = 0.3;            ///< nu [-]
-  /// The membrane stress of the in-plane loads acts on the bent plate; docs/theory/failure.md, (4).
+  /// The membrane stress of the in-plane loads acts on the bent plate; docs/theory/fracture-of-the-edge.md, (4).
   bool second_order = false;
   /// A radial crack from B has split the sheet along the whole x-axis: no moment across it. In the plane it is closed.
   bool split = false;
@@ -125,7 +125,7 @@ class SheetSolution {
 /// @return the solution, or why not: the edge touches itself or misses a load, or needs too many elements; there is no
 /// load, or one is not finite or lies off the ice; the edge of a split sheet misses B; the plate buckles (second
 /// order).
-/// @see docs/theory/failure.md, "All loads on one sheet"
+/// @see docs/theory/fracture-of-the-edge.md, "All loads on one sheet"
 tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet);
 
 }  // namespace brash::plate
