@@ -70,26 +70,28 @@ void print_status(const Counts& counts, bool as_json) {
   }
 }
 
-/// A line on a terminal with the time left; silent elsewhere.
+/// A line with the time left: on a terminal renewed, in a log a new one for each case that ends.
 class CampaignProgress {
  public:
   ~CampaignProgress() {
     if (on_terminal_) cli::show("\r\033[K");
   }
   void show(const Counts& counts, std::size_t n_running) {
-    if (!on_terminal_) return;
     using std::chrono::steady_clock;
     const int finished = counts.n_done + counts.n_failed;
-    if (first_finished_ < 0) first_finished_ = finished;
+    if (first_finished_ < 0) first_finished_ = last_finished_ = finished;
+    if (!on_terminal_ && finished == last_finished_) return;
+    last_finished_ = finished;
     const double wall = std::chrono::duration<double>(steady_clock::now() - start_).count();
-    cli::show(fmt::format("\r\033[K{}, {} running", counts_text(counts), n_running));
+    std::string line = fmt::format("{}, {} running", counts_text(counts), n_running);
     if (finished > first_finished_)
-      cli::show(fmt::format(", {:.0f} s left", wall * counts.n_missing() / (finished - first_finished_)));
+      line += fmt::format(", {:.0f} s left", wall * counts.n_missing() / (finished - first_finished_));
+    cli::show(on_terminal_ ? "\r\033[K" + line : line + "\n");
   }
 
  private:
   bool on_terminal_ = isatty(STDERR_FILENO) != 0;
-  int first_finished_ = -1;
+  int first_finished_ = -1, last_finished_ = -1;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -13,7 +13,7 @@
 namespace brash::cli {
 namespace {
 
-/// A line on a terminal with time left, renewed a few times a second; silent elsewhere.
+/// A line with the time left: on a terminal renewed a few times a second, in a log a new one now and then.
 class ProgressLine {
  public:
   explicit ProgressLine(double duration) : duration_(duration), on_terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -26,14 +26,16 @@ class ProgressLine {
   void show(double time, int n_floes) {
     using std::chrono::steady_clock;
     const auto now = steady_clock::now();
-    if (!on_terminal_ || now - shown_ < std::chrono::milliseconds(200)) return;
+    if (now - shown_ < (on_terminal_ ? kOnTerminal : kInLog)) return;
     shown_ = now;
     const double wall = std::chrono::duration<double>(now - start_).count();
-    cli::show(fmt::format("\r\033[K{:5.1f} of {:.1f} s  {:3.0f} %  {} floes  {:.0f} s left", time, duration_,
-                          100.0 * time / duration_, n_floes, wall * (duration_ - time) / time));
+    cli::show(fmt::format("{}{:5.1f} of {:.1f} s  {:3.0f} %  {} floes  {:.0f} s left{}", on_terminal_ ? "\r\033[K" : "",
+                          time, duration_, 100.0 * time / duration_, n_floes, wall * (duration_ - time) / time,
+                          on_terminal_ ? "" : "\n"));
   }
 
  private:
+  static constexpr std::chrono::milliseconds kOnTerminal{200}, kInLog{30'000};
   double duration_;
   bool on_terminal_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

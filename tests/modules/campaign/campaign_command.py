@@ -52,6 +52,7 @@ class Command(unittest.TestCase):
         folder = FOLDER / "replicates"
         done = quick(folder, "--replicates", "1")
         self.assertIn("4 of 4 cases done", done.stdout)
+        self.assertRegex(done.stderr, r"[1-3] of 4 cases done, 0 failed, [1-3] missing, \d running")
         self.assertIn("8 of 8 cases done", quick(folder, "--replicates", "2", "--resume").stdout)
         self.assertEqual(quick(folder, "--resume").returncode, 0)
         self.assertEqual(different(self.whole, folder), [])
