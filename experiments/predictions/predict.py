@@ -4,7 +4,7 @@
 
 predict.py design FOLDER...        writes plan.toml from prediction.toml (--check: fails if it would differ)
 predict.py run FOLDER              runs or resumes the campaign: results/predictions/FOLDER-PRESET
-predict.py verdict FOLDER          intervals and verdict; m6: the table of all signs (--record writes it beside the inputs)
+predict.py verdict FOLDER          the verdict; m6: the table of all signs (--record writes it and its numbers beside the inputs)
 predict.py indices FOLDER --of X   divides the variance of a number among the unknowns, with the surrogate's error
 predict.py quick [FOLDER...]       one short run a folder, compared with quick.csv, as the tests do
 
@@ -19,6 +19,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
+import details
 import inputs
 import pictures
 import study
@@ -114,20 +115,37 @@ def verdict(options):
         measured = tables.measured_rows(prediction, options)
         text = tables.verdict(prediction, rows, measured, lambda other: rows_of(options, prediction_of(other)))
         folder = prediction.folder
-        if options.record and rows and "exponent" in prediction.table:
-            pictures.exponents(prediction, rows, folder, f"exponents-{options.preset}")
+        if options.record and rows:
+            record_numbers(prediction, rows, measured, options.preset)
     if options.record:
         (folder / f"verdict-{options.preset}.md").write_text(text, encoding="utf-8")
     print(text)
     return 0
 
 
+def numbers_of(prediction, rows, measured):
+    """{name: rows} of the CSV files beside a verdict."""
+    found = {"numbers": details.number_rows(prediction, rows)}
+    if prediction.criterion["kind"] == "series" and measured:
+        found["series"] = details.series_rows(prediction, rows, measured)
+    if "exponent" in prediction.table:
+        found["exponents"] = details.exponent_rows(prediction, rows)
+    return {name: list(map(details.rounded, table)) for name, table in found.items() if table}
+
+
+def record_numbers(prediction, rows, measured, preset):
+    for name, table in numbers_of(prediction, rows, measured).items():
+        study.write_rows(prediction.folder / f"{name}-{preset}.csv", table)
+    if "exponent" in prediction.table:
+        pictures.exponents(prediction, rows, prediction.folder, f"exponents-{preset}")
+
+
 def indices(options):
     prediction = prediction_of(options.folder)
-    rows = rows_of(options, prediction)
-    text = tables.indices(prediction, rows, options.of, options.degree)
-    if options.record:
-        (prediction.folder / f"indices-{options.preset}-{options.of}.md").write_text(text, encoding="utf-8")
+    found, too_few = details.index_rows(prediction, rows_of(options, prediction), options.of, options.degree)
+    if options.record and found:
+        study.write_rows(prediction.folder / f"indices-{options.preset}-{options.of}.csv", list(map(details.rounded, found)))
+    text = tables.indices(prediction, found, too_few, options.of)
     print(text)
     return 0
 

@@ -1,30 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables that predict.py prints: Markdown, forces in kN."""
+"""The short pages that predict.py prints: Markdown, forces in kN. The numbers behind them are details.py's."""
 import json
 import math
 import subprocess
 from collections import Counter
 
 import numpy as np
-from scipy import stats
 
+import details
 import inputs
 from case_numbers import read_table
 from inputs import BadInput
-from signs import judged, slopes, student, tested
-from surrogate import Chaos, held_back_error, jackknife_indices, noise_share
-from verdicts import points_and_values, prediction_interval, series, upper_bound, validation
+from signs import judged, tested
+from verdicts import points_and_values, series, upper_bound
 
-# Printed of every study, whatever its verdict is about; unit of the table, and its divisor.
-ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1e3), "quantile_99": ("kN", 1e3),
-          "quantile_99_0.1s": ("kN", 1e3), "largest": ("kN", 1e3), "smallest": ("kN", 1e3), "mean_1s": ("kN", 1e3),
-          "deviation_1s": ("kN", 1e3), "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
-          "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
-          "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
-REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
-SHOWN_AS = {"edwards": "edwards (45 deg)"}  # a form that knows no slope says for which it was made
 JUDGED = ["mean", "breaking_frequency"]  # of a series; the other statistics are printed beside them, without a verdict
-PEAKS = ["largest", "quantile_99", "quantile_99_0.1s"]  # whose exponents stand beside the forms'
 UNSETTLED = 0.2  # a load that changes by more between the halves of the window has not settled
 
 
@@ -107,8 +97,10 @@ def points_run(rows):
 def heading(prediction, rows):
     n = points_run(rows)
     failed = [row for row in rows if row.get("status") == "failed"]
-    lines = [f"## {prediction.table['title']}", "",
-             f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
+    lines = [f"## {prediction.table['title']}", ""]
+    if prediction.criterion["kind"] != "claims":  # the table of claims says what was predicted
+        lines += [*(f"> {line}" for line in prediction.criterion["text"].strip().splitlines()), ""]
+    lines += [f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
     if failed:
         named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
         lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** Series and claims leave them out, and a bound is open "
@@ -118,73 +110,48 @@ def heading(prediction, rows):
     return lines
 
 
-def intervals(prediction, rows):
-    """Prediction intervals of one run for each arm."""
-    confidence = prediction.criterion.get("confidence", 0.95)
-    lines = [f"| arm | number | unit | median | {confidence:.0%} interval of one run |", "|---|---|---|---|---|"]
-    for arm in prediction.arms:
-        chosen = [row for row in rows if row["arm"] == arm]
-        for statistic, (unit, divisor) in ALWAYS.items():
-            values, n = points_and_values(chosen, statistic)
-            if len(values):
-                ends = prediction_interval(values, n, confidence)
-                lines.append(f"| {arm or '-'} | {statistic} | {unit} | {number(np.median(values) / divisor)} | "
-                             f"{interval(ends, divisor)} |")
+def interval_lines(prediction, rows, statistics):
+    """The interval of one run of each number that the criterion asks for; the other numbers are in the CSV file."""
+    asked = [row for row in details.number_rows(prediction, rows) if row["number"] in statistics]
+    if not asked:
+        return []
+    lines = [f"| arm | number | unit | median | {asked[0]['range']} |", "|---|---|---|---|---|"]
+    return lines + [f"| {row['arm'] or '-'} | {row['number']} | {row['unit']} | {number(row['median'])} | "
+                    f"{interval((row['low'], row['high']))} |" for row in asked] + [""]
+
+
+def unsettled_lines(rows):
     moving = [row for row in rows if row.get("second_half_over_first") is not None]
     unsettled = sum(abs(row["second_half_over_first"] - 1.0) > UNSETTLED for row in moving)
-    if unsettled:
-        lines += ["", f"In {unsettled} of {len(moving)} runs the load still changes by more than {UNSETTLED:.0%} from the first "
-                      "half of the window to the second."]
-    return lines + [""]
+    return [f"In {unsettled} of {len(moving)} runs the load still changes by more than {UNSETTLED:.0%} from the first half of the "
+            "window to the second.", ""] if unsettled else []
 
 
-def beside(prediction, rows):
-    """Regressions and closed forms over the same points."""
-    lines = []
-    for arm in prediction.arms:
-        chosen = [row for row in rows if row["arm"] == arm]
-        for name in REGRESSIONS:
-            values, _ = points_and_values(chosen, name)
-            if len(values):
-                lines.append(f"| {arm or '-'} | {SHOWN_AS.get(name, name)} | {number(np.median(values) / 1e3)} | "
-                             f"{interval((values.min() / 1e3, values.max() / 1e3))} |")
-    head = ["Beside it, over the same points:", "", "| arm | form | median [kN] | least to largest [kN] |", "|---|---|---|---|"]
-    return head + lines + [""] if lines else []
-
-
-def test_line(test, found, ends, inside):
+def test_line(found):
     """One test beside its prediction; an error of the model is told if it is larger than twice its uncertainty."""
-    cells = [number(found["simulated"]), interval(ends),
-             *(number(found[name]) for name in ("measured", "ratio", "error", "u_val")), interval(found["model_error"]),
-             "yes" if found["told"] else "no", "yes" if inside else "no"]
-    return f"| {test.get('file') or test['arm'] or '-'} | {' | '.join(cells)} |"
+    cells = [number(found["simulated"]), interval((found["low"], found["high"])),
+             *(number(found[name]) for name in ("measured", "ratio", "error", "u_val")),
+             interval((found["model_error_low"], found["model_error_high"])),
+             "yes" if found["told"] else "no", "yes" if found["inside"] else "no"]
+    return f"| {found['test']} | {' | '.join(cells)} |"
 
 
-def series_lines(prediction, rows, measured, statistic):
-    """Comparison of one statistic with its measurements, one row a test, and the series."""
-    criterion = prediction.criterion
-    lines = [f"### {statistic}", "",
-             "| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
-    ratios, inside, chosen_rows = [], [], []
-    for test in measured:
-        chosen = [row for row in rows if row["arm"] == test["arm"]]
-        values, n = points_and_values(chosen, statistic)
-        if test.get(statistic) is None or n < 2:
-            continue
-        found = validation(values, test[statistic], criterion["u_numerical"], criterion["u_measured"])
-        low, high = prediction_interval(values, n, criterion["confidence"])
-        inside.append(low <= test[statistic] <= high)
-        ratios.append((found["simulated"], test[statistic]))
-        chosen_rows.append(chosen)
-        lines.append(test_line(test, found, (low, high), inside[-1]))
-    if not ratios:
-        if not measured:
-            return []
+def series_lines(prediction, rows, measured, statistic, compared):
+    """Comparison of one statistic with its measurements: one row a test if it is judged, and the series."""
+    found = [row for row in compared if row["statistic"] == statistic]
+    lines = [f"### {statistic}", ""]
+    if not found:
         given = any(test.get(statistic) is not None for test in measured)
         missing = "Not measured." + " The criterion judges it, so this part of the verdict stays open." * (statistic in JUDGED)
-        return [*lines[:2], "No interval: fewer than two points have this number." if given else missing, ""]
-    return lines + [""] + series_summary(prediction, statistic, ratios, inside, chosen_rows)
+        return [*lines, "No interval: fewer than two points have this number." if given else missing, ""]
+    if statistic in JUDGED:
+        lines += ["| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
+                  "|---|---|---|---|---|---|---|---|---|---|", *map(test_line, found), ""]
+        farthest = max(found, key=lambda row: abs(math.log(row["ratio"])) if row["ratio"] > 0.0 else math.inf)
+        lines += [f"Worst miss: {farthest['test']}, predicted {number(farthest['ratio'])} times the measured value.", ""] * (len(found) > 1)
+    chosen_rows = [[row for row in rows if row["arm"] == test["arm"]] for test in found]
+    ratios = [(row["simulated"], row["measured"]) for row in found]
+    return lines + series_summary(prediction, statistic, ratios, [row["inside"] for row in found], chosen_rows)
 
 
 def series_summary(prediction, statistic, ratios, inside, chosen_rows):
@@ -229,69 +196,42 @@ def bound_lines(prediction, rows):
             f"{number(found['largest_ratio'])}.{without}", ""]
 
 
-def exponents_of(rows, wanted, names):
-    """{number: {point: exponent}} of the numbers that the rows have."""
-    return {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
-            for name in names if any(row.get(name) is not None for row in rows)}
-
-
-def differences(one, other):
-    """One exponent less the other at each point that has both."""
-    return [one[i] - other[i] for i in one if one[i] is not None and other.get(i) is not None]
-
-
 def exponent_lines(prediction, rows, promised):
-    """Exponents of the program's numbers and of closed forms, with 95 % intervals over the points, and their differences in pairs.
+    """The exponent of the load along each input, and less each form's, with 95 % intervals over the points.
 
     promised: whether there are points enough for a verdict; without it nothing differs or not.
     """
-    lines = ["| input | number | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
     judged_one = prediction.criterion["statistic"]
+    found = {(row["input"], row["less"]): row for row in details.exponent_rows(prediction, rows) if row["number"] == judged_one}
+    forms = [form for form in details.REGRESSIONS if any(form == less for _, less in found)]
+    compared = [row for (_, less), row in found.items() if less]
+    lines = [f"| input | exponent of `{judged_one}` |" + "".join(f" less {form} |" for form in forms), "|---|---|" + "---|" * len(forms)]
     for wanted in prediction.table["exponent"]:
-        found = exponents_of(rows, wanted, [judged_one, "quantile_99_0.1s", "crushing", "floes", "breaking_length",
-                                            "breaking_frequency", *REGRESSIONS])
-        for name, slope in found.items():
-            cells = mean_cells([value for value in slope.values() if value is not None])
-            other = mean_cells(differences(found[judged_one], slope)) if name in REGRESSIONS else ("-", "-", "-")
-            other = other if promised else (*other[:2], "-")
-            lines.append(f"| `{wanted['of']}` | {name} | {cells[0]} | {cells[1]} | {' | '.join(other)} |")
-    note = "Each comparison stands by itself: no correction was made for their number."
-    return lines + [""] + [note, ""] * promised + peak_lines(prediction, rows)
+        cells = [exponent_cell(found.get((wanted["of"], less)), promised and bool(less)) for less in ("", *forms)]
+        lines.append(f"| `{wanted['of']}` | {' | '.join(cells)} |")
+    if not promised or not compared:
+        return lines + [""]
+    worst = max(compared, key=lambda row: abs(row["exponent"]))
+    return [f"**{sum(map(differs, compared))} of {len(compared)} comparisons differ.** Worst miss: along `{worst['input']}` the program "
+            f"less {worst['less']} is {signed(worst['exponent'])}.", "", *lines, "",
+            "Bold: the 95 % interval leaves out 0. Each comparison stands by itself: no correction was made for their number.", ""]
 
 
-def peak_lines(prediction, rows):
-    """Exponents of the program's peaks, and less those of the closed forms, which are peaks too."""
-    forms = [name for name in REGRESSIONS if any(row.get(name) is not None for row in rows)]
-    lines = []
-    for wanted in prediction.table["exponent"]:
-        found = exponents_of(rows, wanted, [*PEAKS, *forms])
-        for name in [peak for peak in PEAKS if peak in found]:
-            samples = [list(found[name].values()), *(differences(found[name], found[form]) for form in forms)]
-            lines.append(f"| `{wanted['of']}` | {name} | {' | '.join(mean_and_half(values) for values in samples)} |")
-    head = ["Peaks beside the forms, which are peaks of one break; no part of the criterion. A quantile in time grows with the "
-            "number of breaks too, and the largest force with the length of the record.", "",
-            f"| input | number | exponent | {' | '.join(f'less {form}' for form in forms)} |",
-            "|---|---|---|" + "---|" * len(forms)]
-    return head + lines + [""] if lines and forms else []
+def differs(row):
+    return abs(row["exponent"]) > row["half_width"]
 
 
-def mean_and_half(samples):
-    """Mean and half the width of its 95 % interval."""
-    kept = [value for value in samples if value is not None]
-    if len(kept) < 2:
+def signed(value):
+    return f"{value:.2f}".replace("-0.00", "0.00")
+
+
+def exponent_cell(row, marked):
+    """Exponent with its 95 % interval; bold if it is marked and leaves out 0."""
+    if row is None:
         return "-"
-    mean, error, freedom = student(kept)
-    return f"{mean:+.2f} ± {stats.t.ppf(0.975, freedom) * error:.2f}"
-
-
-def mean_cells(samples):
-    """Mean, its 95 % interval, and whether it leaves out 0."""
-    if len(samples) < 2:
-        return "-", "-", "-"
-    mean, error, freedom = student(samples)
-    half = stats.t.ppf(0.975, freedom) * error
-    shown = [f"{value:.2f}".replace("-0.00", "0.00") for value in (mean, mean - half, mean + half)]
-    return shown[0], f"{shown[1]} to {shown[2]}", "yes" if abs(mean) > half else "no"
+    mean, half = row["exponent"], row["half_width"]
+    bold = "**" if marked and differs(row) else ""
+    return f"{bold}{signed(mean)}{bold} ({signed(mean - half)} to {signed(mean + half)})"
 
 
 def claim_lines(outcomes):
@@ -302,6 +242,16 @@ def claim_lines(outcomes):
         lines.append(f"| {o.claim['text']} | {number(o.effect / divisor, 4)}{unit} | {interval(o.interval, divisor, 4)}{unit} | "
                      f"{o.n} {samples} ({o.left_out}) | {o.p:.2g} |")
     return lines + [""]
+
+
+def worst_miss(outcomes, word):
+    """The claim that contradicts most, or that is farthest from being shown."""
+    return min(outcomes, key=lambda o: o.opposite) if word == "contradicted" else max(outcomes, key=lambda o: o.p)
+
+
+def effect_of(outcome):
+    divisor, unit = (1e3, " kN") if outcome.claim["kind"] == "rises-beyond" else (1.0, "")
+    return f"{number(outcome.effect / divisor, 4)}{unit} ({interval(outcome.interval, divisor, 4)}{unit})"
 
 
 def outcomes_of(prediction, rows, rows_elsewhere):
@@ -334,26 +284,32 @@ def verdict(prediction, rows, measured, rows_elsewhere):
     if fewer and not prediction.own_runs:
         lines += [f"No verdict: {fewer}.", ""]
     if not fewer and kind == "upper-bound":
-        lines += bound_lines(prediction, rows)
+        lines += bound_lines(prediction, rows) + interval_lines(prediction, rows, [prediction.criterion["statistic"]])
     if kind == "exponents":
         lines += exponent_lines(prediction, rows, not fewer)
     if not fewer and kind == "claims":
         outcomes = outcomes_of(prediction, rows, rows_elsewhere)
         (word, p), = judged({prediction.name: outcomes}).values()
-        lines += [f"**{word}**, p = {p:.2g}, alone.", "", *claim_lines(outcomes)]
+        lines += [f"**{word}**, p = {p:.2g}, alone." + f" Worst miss: {worst_miss(outcomes, word).claim['text']}." * (word != "shown"),
+                  "", *claim_lines(outcomes)]
     if not fewer and kind == "series":
-        for statistic in prediction.criterion["statistics"]:
-            lines += series_lines(prediction, rows, measured, statistic)
-        if not measured:
-            lines += ["No measured values were given: the verdict is open.", ""]
-    if rows:
-        lines += intervals(prediction, rows) + beside(prediction, rows)
-    return "\n".join(lines).rstrip() + "\n"
+        lines += measured_lines(prediction, rows, measured)
+    return "\n".join(lines + unsettled_lines(rows)).rstrip() + "\n"
+
+
+def measured_lines(prediction, rows, measured):
+    """A series beside its measurements; without them the intervals that will be compared."""
+    statistics = prediction.criterion["statistics"]
+    if not measured:
+        return ["No measured values were given: the verdict is open.", "",
+                *interval_lines(prediction, rows, [name for name in statistics if name in JUDGED])]
+    compared = details.series_rows(prediction, rows, measured)
+    return [line for name in statistics for line in series_lines(prediction, rows, measured, name, compared)]
 
 
 def signs(predictions, rows_elsewhere, family, preset):
     """The table of all signs of one preset, and {sign: outcomes of its claims}. The pictures are predict.py's."""
-    found, fewer, lines = {}, {}, []
+    found, fewer = {}, {}
     for name, prediction in predictions.items():
         rows = rows_elsewhere(f"m6/{name}") if prediction.own_runs else []
         too_few = fewer_points(prediction, rows, rows_elsewhere)
@@ -362,49 +318,40 @@ def signs(predictions, rows_elsewhere, family, preset):
         elif too_few != NOT_RUN:
             fewer[name] = too_few
     verdicts = judged(found, family) if found else {}
-    table = ["| sign | statement | verdict | p, Holm | picture |", "|---|---|---|---|---|"]
+    lines = ["## Ten signs", "", "| sign | statement | verdict | p, Holm | claim farthest from its statement | effect (95 %) | picture |",
+             "|---|---|---|---|---|---|---|"]
     for name, prediction in predictions.items():
         word, p = verdicts.get(name, (fewer.get(name, "not run"), math.nan))
         label = prediction.criterion.get("stands_for", name.upper())
-        picture = f"[claims]({name}/claims-{preset}.png)" if name in found else "-"
         p_cell = "-" if math.isnan(p) else f"{p:.2g}" + (" of the opposite" if word == "contradicted" else "")
-        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {p_cell} | {picture} |")
+        cells = ["-", "-", "-"]
         if name in found:
-            lines += [f"### {label}", "", *claim_lines(found[name])]
-    return "\n".join(["## Ten signs", "", *table, "", *lines]).rstrip() + "\n", found
+            worst = worst_miss(found[name], word)
+            cells = [worst.claim["text"], effect_of(worst), f"[claims]({name}/claims-{preset}.png)"]
+            label = f"[{label}]({name}/verdict-{preset}.md)"
+        lines.append(f"| {label} | {prediction.table['title']} | **{word}** | {p_cell} | {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n", found
 
 
-def indices(prediction, rows, statistic, degree):
+def indices(prediction, found, too_few, statistic):
     """First-order and total indices of each unknown, for each arm, with the surrogate's error."""
     lines = [f"## {prediction.table['title']}: variance of `{statistic}`", ""]
-    names = prediction.names()
     for arm in prediction.arms:
-        groups = {}
-        for row in rows:
-            if row["arm"] == arm and row.get(statistic) is not None:
-                groups.setdefault(int(row["point"]), []).append(row[statistic])
-        if len(groups) < 2 * len(names):
-            lines += [f"{arm or 'All runs'}: {len(groups)} points are too few for {len(names)} unknowns; at least twice as many.", ""]
-            continue
-        numbers = sorted(groups)
-        points = inputs.points_of(prediction, numbers[-1])[np.array(numbers) - 1]
-        values = np.array([np.mean(groups[i]) for i in numbers])
-        lines += arm_indices(arm, prediction, points, values, degree, noise_share([groups[i] for i in numbers]))
+        if arm in too_few:
+            n = len(prediction.names())
+            lines += [f"{arm or 'All runs'}: {too_few[arm]} points are too few for {n} unknowns; at least twice as many.", ""]
+        else:
+            lines += arm_indices(arm, [row for row in found if row["arm"] == arm])
     return "\n".join(lines).rstrip() + "\n"
 
 
-def arm_indices(arm, prediction, points, values, degree, noise):
-    names, options = prediction.names(), {"degree": degree, "choices": [len(u.get("choices", [])) for u in prediction.unknowns]}
-    chaos = Chaos(points, values, **options)
-    first, total = chaos.indices()
-    errors = jackknife_indices(points, values, **options)
-    unseen = held_back_error(points, values, **options)
+def arm_indices(arm, rows):
+    unseen, noise = rows[0]["held_back"], rows[0]["noise"]
     lines = [f"### {arm or 'all runs'}", "",
-             f"{len(values)} points, {len(chaos.terms)} terms. Error on samples held back: {unseen:.0%} of the variance. Between "
+             f"{rows[0]['points']} points, {rows[0]['terms']} terms. Error on samples held back: {unseen:.0%} of the variance. Between "
              f"replicates: {'not known' if math.isnan(noise) else f'{noise:.0%}'} of the variance of single runs.", ""]
     if unseen > 0.5:
         lines += ["**The surrogate misses more than half of the variance of unseen samples. The indices below are no result.**", ""]
     lines += ["| unknown | first order | total |", "|---|---|---|"]
-    for j in np.argsort(-total, kind="stable"):
-        lines.append(f"| `{names[j]}` | {first[j]:.2f} ± {2 * errors[0][j]:.2f} | {total[j]:.2f} ± {2 * errors[1][j]:.2f} |")
-    return lines + [""]
+    return lines + [f"| `{row['unknown']}` | {row['first']:.2f} ± {row['first_error']:.2f} | "
+                    f"{row['total']:.2f} ± {row['total_error']:.2f} |" for row in rows] + [""]

@@ -18,6 +18,7 @@ sys.path[:0] = [str(PREDICTIONS), str(PREDICTIONS.parent)]
 
 import brash
 import case_numbers
+import details
 import figures
 import inputs
 import pictures
@@ -241,6 +242,18 @@ class Texts(unittest.TestCase):
             lines = [line for line in self.text_of(factor).splitlines() if line.startswith("| r") and line.count("|") == 11]
             self.assertEqual([line.split(" | ")[-2] for line in lines], [told] * 10)
 
+    def test_a_series_names_its_worst_miss(self):
+        prediction = predict.prediction_of("m1")
+        arms = list(prediction.arms)
+        measured = [{"arm": arm, "mean": mean * (3 if arm == arms[4] else 1)} for arm, mean in zip(arms, self.MEASURED)]
+        self.assertIn(f"Worst miss: {arms[4]}, predicted 0.3", tables.verdict(prediction, made_up(prediction, self.MEASURED), measured, None))
+
+    def test_the_worst_claim_is_the_one_that_contradicts_or_else_the_least_sure(self):
+        claims = [outcome(two_arms(1.2), kind="rises"), outcome(two_arms(1.2), kind="falls"),
+                  outcome(two_arms(1.0, n=4, spread=0.5), kind="same", margin=0.25)]
+        self.assertIs(tables.worst_miss(claims, "contradicted"), claims[1])
+        self.assertIs(tables.worst_miss(claims[::2], "open"), claims[2])
+
     def test_a_series_judges_the_frequency_and_names_what_was_not_measured(self):
         prediction = predict.prediction_of("m5")
         rows = [{**row, "breaking_frequency": row["mean"] / 1e3} for row in made_up(prediction, [5e3])]
@@ -279,17 +292,19 @@ class Texts(unittest.TestCase):
         self.assertIn("1 runs failed and have no numbers: point 16.", broken)
         self.assertRegex(broken, r"\*\*open\*\*: .* at 0 of 16 points .* At 1 points a run has no number\.")
         self.assertIn("**holds**", tables.verdict(prediction, whole, [], None))
+        self.assertIn("| - | quantile_99_0.1s | kN | 1000 |", tables.verdict(prediction, whole, [], None))
         self.assertIn("Largest ratio to the bound: 0.5", tables.verdict(prediction, whole, [], None))
 
     def test_the_table_of_signs_counts_ten_whatever_was_run(self):
         predictions = {name: predict.prediction_of(f"m6/{name}") for name in ("s2", "s9")}
         rows = [{**row, "arm": {"a": "light", "b": "heavy"}[row["arm"]]} for row in two_arms(0.8)]
         text, found = tables.signs(predictions, lambda name: rows if name == "m6/s2" else [], 10, "paper")
-        self.assertRegex(text, r"\| S2 \|.*\| \*\*shown\*\* \|.*\| \[claims\]\(s2/claims-paper.png\) \|")
-        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\* \| - \| - \|")
+        self.assertRegex(text, r"S2.* \| \*\*shown\*\* \|.*\| \[claims\]\(s2/claims-paper.png\) \|")
+        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\*( \| -){4} \|")
         self.assertEqual(list(found), ["s2"])
+        self.assertIn("| [S2](s2/verdict-paper.md) |", text)
         text, found = tables.signs(predictions, lambda name: [row for row in rows if row["point"] < 4], 10, "paper")
-        self.assertRegex(text, r"\| S2 \|.*\| \*\*4 of 16 points\*\* \| - \| - \|")
+        self.assertRegex(text, r"\| S2 \|.*\| \*\*4 of 16 points\*\*( \| -){4} \|")
         self.assertEqual(list(found), [])
 
     def test_a_sign_that_reads_other_folders_needs_their_points(self):
@@ -299,7 +314,7 @@ class Texts(unittest.TestCase):
         self.assertIn("No verdict: 4 of 16 points of m6/s5, 4 of ", text)
         self.assertNotIn("**", text)
         text, found = tables.signs({"s10": prediction}, few, 10, "paper")
-        self.assertRegex(text, r"\| S10 \|.*\| \*\*4 of 16 points of m6/s5, .*\*\* \| - \| - \|")
+        self.assertRegex(text, r"\| S10 \|.*\| \*\*4 of 16 points of m6/s5, .*\*\*( \| -){4} \|")
         self.assertEqual(found, {})
         self.assertIn("No verdict: not run.", tables.verdict(prediction, [], [], lambda _: []))
 
@@ -353,17 +368,21 @@ class Texts(unittest.TestCase):
                 rows.append({**row, "mean": load, "quantile_99_0.1s": 2.0 * load, "largest": level * width,
                              **{form: level * width**0.5 for form in figures.CLOSED}})
         text = tables.verdict(prediction, rows, [], None)
-        lines = {tuple(line.split(" | ")[:2]): line for line in text.splitlines() if line.startswith("| `")}
-        cells = lines["| `structure.waterline_width`", "croasdale"].split(" | ")
-        self.assertEqual(cells[2], "0.50")
-        self.assertAlmostEqual(float(cells[4]), 1.0, delta=0.05)
-        self.assertTrue(cells[6].startswith("yes"))
+        self.assertRegex(text, r"\*\*\d+ of 12 comparisons differ\.\*\* Worst miss: along `structure\.waterline_width`")
+        self.assertRegex(text, r"\| `structure\.waterline_width` \| 1\.\d\d \(.*\) \| \*\*\d\.\d\d\*\* \(")
         self.assertIn("no correction was made", text)
         few = tables.verdict(prediction, [row for row in rows if row["point"] < 4], [], None)
-        self.assertNotIn("| yes |", few)
+        self.assertIn("| `structure.waterline_width` | 1.", few)
+        self.assertNotIn("differ.", few)
         self.assertNotIn("no correction was made", few)
-        self.assertTrue(lines["| `ice.thickness`", "croasdale"].endswith("no |"))
-        self.assertIn("| `structure.waterline_width` | largest | +1.00 ± 0.00 | +0.50 ± 0.00 |", text)
+        found = {(row["input"], row["number"], row["less"]): row for row in details.exponent_rows(prediction, rows)}
+        self.assertAlmostEqual(found["structure.waterline_width", "croasdale", ""]["exponent"], 0.5)
+        less = found["structure.waterline_width", "mean", "croasdale"]
+        self.assertAlmostEqual(less["exponent"], 1.0, delta=0.05)
+        self.assertTrue(tables.differs(less))
+        self.assertFalse(tables.differs(found["ice.thickness", "mean", "croasdale"]))
+        self.assertAlmostEqual(found["structure.waterline_width", "largest", ""]["exponent"], 1.0)
+        self.assertAlmostEqual(found["structure.waterline_width", "largest", "croasdale"]["exponent"], 0.5)
         with tempfile.TemporaryDirectory() as folder:
             width = pictures.exponents(prediction, rows, pathlib.Path(folder), "exponents")[0]
             self.assertTrue((pathlib.Path(folder) / "exponents.png").is_file())

@@ -4,6 +4,7 @@
 predictions_whole_test.py BRASH FOLDER
 """
 import contextlib
+import csv
 import io
 import os
 import pathlib
@@ -53,6 +54,19 @@ class Inputs(unittest.TestCase):
             with contextlib.redirect_stdout(io.StringIO()) as text:
                 predict.verdict(predict.arguments().parse_args(arguments))
             self.assertEqual(text.getvalue(), path.read_text(encoding="utf-8") + "\n", path)
+
+    def test_the_tables_beside_the_verdicts_are_those_of_the_recorded_numbers(self):
+        n_tables = 0
+        for path in sorted(PREDICTIONS.glob("**/recorded-*.csv")):
+            prediction, preset = inputs.Prediction(path.parent), path.stem.removeprefix("recorded-")
+            options = predict.arguments().parse_args(["verdict", prediction.name, "--preset", preset])
+            measured = tables.measured_rows(prediction, options)
+            for name, table in predict.numbers_of(prediction, tables.read_numbers(path), measured).items():
+                n_tables += 1
+                with open(path.parent / f"{name}-{preset}.csv", encoding="utf-8") as file:
+                    recorded = list(csv.DictReader(file))
+                self.assertEqual(recorded, [{key: str(value) for key, value in row.items()} for row in table], path)
+        self.assertGreater(n_tables, 20)
 
     def test_every_range_has_a_source_and_every_claim_a_known_kind(self):
         kinds = {"rises", "falls", "differs", "same", "within", "ratio-within", "exceeds", "rises-beyond", "share"}
@@ -165,7 +179,7 @@ class WholeWay(unittest.TestCase):
         text = call("verdict", str(case), "--preset", "paper", "--record")
         self.assertIn("Points of the unknowns: 4. Runs: 8.", text)
         self.assertRegex(text, r"\*\*(shown|open|contradicted)\*\*")
-        self.assertIn("| fast | mean | kN |", text)
+        self.assertIn("\nfast,mean,kN,", (case / "numbers-paper.csv").read_text(encoding="utf-8"))
         rows = tables.read_numbers(case / "recorded-paper.csv")
         self.assertTrue(all(row.get("n_pieces") is None or row["one_mode"] in (0.0, 1.0) for row in rows))
         self.assertAlmostEqual(rows[0]["output.statistics_from"] * rows[0]["structure.speed"], 1.2, delta=1e-4)
