@@ -6,6 +6,7 @@ Reads the recorded numbers of the experiments beside this one, and runs only `br
 README.md lists the claims and their verdicts. Holm's method adjusts the p-values of a preset together.
 """
 import argparse
+import csv
 import json
 import math
 import subprocess
@@ -212,61 +213,65 @@ def exponent(rows, along, of):
 
 
 def exponent_rows(run):
-    """A row an input: the exponents of the mean load of each preset, and of the peaks of the closed forms."""
+    """Exponents of the mean load, of the median breaking length and area of a piece, and of the closed forms' peaks."""
     for experiment, along, name in EXPONENTS:
-        cells = ["{:.2f} ± {:.2f}".format(*exponent(runs.rows(experiment), along, FORCE)) for runs in run]
+        for of, column in (("mean load", FORCE), ("breaking length", LENGTH), ("piece area", AREA)):
+            for runs in run:
+                slope, half = exponent(runs.rows(experiment), along, column)
+                yield {"input": name, "of": of, "from": runs.preset, "exponent": f"{slope:.2f}", "half_width": f"{half:.2f}"}
         forms = study.read_rows(study.ROOT / "experiments" / experiment / "closed_forms.csv")
-        cells += [f"{exponent(forms, along, f'{form}.horizontal')[0]:.2f}" for form in figures.CLOSED]
-        yield f"| {name} | {' | '.join(cells)} |"
+        for form, (label, _, _) in figures.CLOSED.items():
+            yield {"input": name, "of": "peak", "from": label, "exponent": f"{exponent(forms, along, f'{form}.horizontal')[0]:.2f}",
+                   "half_width": ""}
 
 
-def ice_rows(run):
-    """A row an input: the exponents of the median breaking length and of the median area of a piece, of each preset."""
-    for experiment, along, name in EXPONENTS:
-        cells = ["{:.2f} ± {:.2f}".format(*exponent(runs.rows(experiment), along, of)) for of in (LENGTH, AREA) for runs in run]
-        yield f"| {name} | {' | '.join(cells)} |"
-
-
-def cells(listed):
-    """Verdict, size and p of each claim, the p-values adjusted together."""
+def claim_rows(listed):
+    """Each claim of one preset with its verdict, size and p, the p-values adjusted together."""
     adjusted = holm([claim.p for claim in listed])
-    return [f"**{claim.verdict(p)}** | {claim.effect} | {p:.2g}" for claim, p in zip(listed, adjusted)]
+    return [{"experiment": claim.experiment, "claim": claim.text, "verdict": claim.verdict(p), "last_against_first": claim.effect,
+             "p": f"{p:.2g}"} for claim, p in zip(listed, adjusted)]
 
 
-def table(brash):
+def results(brash):
+    """{file: rows} of the CSV files, and the page."""
     run = [Runs(brash, preset) for preset in study.PRESETS]
-    listed = [[claim for of in CLAIMS for claim in of(runs)] for runs in run]
-    lines = ["| experiment | claim |" + "".join(f" `{runs.preset}` | last against first | p |" for runs in run),
-             "|---|---|" + "---|---|---|" * len(run)]
-    for claim, *row in zip(listed[0], *map(cells, listed)):
-        lines.append(f"| {claim.experiment} | {claim.text} | {' | '.join(row)} |")
-    lines += ["", "The next table compares the load at 50 degrees with the load at 70 degrees, at 2.0 m/s.", "",
+    claims = [claim_rows([claim for of in CLAIMS for claim in of(runs)]) for runs in run]
+    lines = ["| experiment | claim |" + "".join(f" `{runs.preset}` | last against first |" for runs in run),
+             "|---|---|" + "---|---|" * len(run)]
+    for row in zip(*claims):
+        cells = [f"**{of['verdict']}** | {of['last_against_first']}" for of in row]
+        lines.append(f"| {row[0]['experiment']} | {row[0]['claim']} | {' | '.join(cells)} |")
+    lines += ["", "The load at 50 degrees over the load at 70 degrees, at 2.0 m/s:", "",
               f"| preset | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
     lines += [ratio_row(runs) for runs in run]
-    lines += ["", "The next table has exponents: the slope of the logarithm of the mean load along each input, over all",
-              "replicates. The closed forms have exponents of their peaks.", "",
-              "| input |" + "".join(f" `{runs.preset}` |" for runs in run)
-              + "".join(f" {label} |" for label, _, _ in figures.CLOSED.values()),
-              "|---|" + "---|" * (len(run) + len(figures.CLOSED))]
-    lines += [*exponent_rows(run), "", "The medians of the breaking length and of the area of a piece have these exponents:", "",
-              "| input |" + "".join(f" {of}, `{runs.preset}` |" for of in ("length", "area") for runs in run),
-              "|---|" + "---|" * (2 * len(run)), *ice_rows(run)]
-    return "\n".join(lines) + "\n"
+    tables = {"claims.csv": [{"preset": runs.preset, **row} for runs, rows in zip(run, claims) for row in rows],
+              "exponents.csv": list(exponent_rows(run))}
+    return tables, "\n".join(lines) + "\n"
+
+
+def recorded(name):
+    with open(HERE / name, encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--brash", type=study.program, default=study.ROOT / "build" / "release" / "bin" / "brash")
-    parser.add_argument("--record", action="store_true", help="also rewrite trends.md")
-    parser.add_argument("--check", action="store_true", help="fail when trends.md is not what the recorded numbers say")
+    parser.add_argument("--record", action="store_true", help="also rewrite trends.md, claims.csv and exponents.csv")
+    parser.add_argument("--check", action="store_true", help="fail when these are not what the recorded numbers say")
     options = parser.parse_args()
-    text = table(options.brash)
+    tables, text = results(options.brash)
     print(text)
     if options.record:
         (HERE / "trends.md").write_text(text, encoding="utf-8")
-    if options.check and (HERE / "trends.md").read_text(encoding="utf-8") != text:
-        print("trends.md says something else: run experiments/trends/run.py --record")
-        return 1
+        for name, rows in tables.items():
+            study.write_rows(HERE / name, rows)
+    if options.check:
+        stale = [] if (HERE / "trends.md").read_text(encoding="utf-8") == text else ["trends.md"]
+        stale += [name for name, rows in tables.items() if recorded(name) != rows]
+        if stale:
+            print(f"{', '.join(stale)}: not what the recorded numbers say; run experiments/trends/run.py --record")
+            return 1
     return 0
 
 
