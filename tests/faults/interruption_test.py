@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl-C, requests to end, closed terminals, kills, and two processes on one folder."""
 import json
+import resource
 import shutil
 import signal
 import unittest
@@ -140,16 +141,67 @@ class Interruption(FaultTest):
         self.assertEqual(process.returncode, 0)
         self.assertFalse((self.path / "cone.nc.chunks").exists())
 
-    def test_results_of_an_earlier_run_do_not_pass_for_those_of_one_that_did_not_end(self):
-        self.whole()
+    def test_results_of_an_earlier_run_stay_until_those_of_the_next_are_whole(self):
+        whole = self.whole()
         folder = self.path / "whole"
         (folder / "checkpoint.nc").unlink()
+        before = sorted(p.name for p in folder.iterdir())
         process = start(run_command(folder, "--seed", "2", "--replace"))
         self.assertTrue(wait_for((folder / "checkpoint.nc").exists, process))
         process.send_signal(signal.SIGINT)
         process.communicate()
         self.assertEqual(process.returncode, 3)
-        self.assertEqual(sorted(p.name for p in folder.iterdir()), ["checkpoint.nc", "inputs"])
+        self.assertEqual(sorted(p.name for p in folder.iterdir()), sorted([*before, "checkpoint.nc"]))
+        self.assertEqual(self.bytes_of(folder), whole)
+        self.succeeds(run_command(folder, "--seed", "2", "--resume"))
+        self.succeeds(run_command(self.path / "other", "--seed", "2"))
+        self.assertEqual(self.bytes_of(folder), self.bytes_of(self.path / "other"))
+
+    def test_a_run_that_dies_while_it_writes_its_results_leaves_the_folder_to_the_next_one(self):
+        none = ("--set", "output.checkpoint_interval=0")
+        self.succeeds(run_command(self.path / "whole", *none))
+        whole = self.bytes_of(self.path / "whole")
+        limit = len(whole["run.nc"]) // 2  # the picture is smaller
+        self.assertLess(len(whole["plan.svg"]), limit)
+
+        def dies(*options):
+            died = call(run_command(self.folder, *none, *options),
+                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+            self.fails_clearly(died, {1}, "cannot be written")
+
+        for options in ((), ("--resume",), ("--replace",)):
+            dies()
+            part = self.folder / "results.part"  # as a kill leaves it
+            part.mkdir(parents=True)
+            (part / "run.begun").touch()
+            (part / "history.csv").write_text("half")
+            self.succeeds(run_command(self.folder, *none, *options))
+            self.assertEqual(self.bytes_of(self.folder), whole)
+            self.assertFalse((self.folder / "results.part").exists())
+            dies("--replace", "--seed", "2")
+            self.assertEqual(self.bytes_of(self.folder), whole)
+            refused = call(run_command(self.folder, *none))
+            self.fails_clearly(refused, {2}, "holds a finished run", "--replace")
+            shutil.rmtree(self.folder)
+
+    def test_results_that_were_whole_when_the_run_was_killed_get_their_names(self):
+        whole = self.whole()
+        part = self.path / "results.part"
+        (self.path / "whole").rename(part)
+        (part / "run.begun").touch()
+        self.folder.mkdir()
+        part.rename(self.folder / "results.part")
+        (self.folder / "results.part/history.csv").rename(self.folder / "history.csv")
+        self.fails_clearly(call(run_command(self.folder)), {2}, "holds a finished run", "--replace")
+        self.assertFalse((self.folder / "results.part").exists())
+        self.assertEqual(self.bytes_of(self.folder), whole)
+
+    def test_a_folder_of_somebody_else_is_not_taken_for_results_of_a_run(self):
+        mine = self.folder / "results.part/mine"
+        mine.parent.mkdir(parents=True)
+        mine.write_text("mine")
+        self.fails_clearly(call(run_command(self.folder)), {2}, "results.part", "no run left it")
+        self.assertEqual(mine.read_text(), "mine")
 
     def test_a_resume_without_a_checkpoint_says_so_and_runs_from_the_start(self):
         done = self.succeeds(run_command(self.path / "new", "--resume"))

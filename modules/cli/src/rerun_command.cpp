@@ -208,10 +208,14 @@ recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {
 void run_into(const std::string& folder, const recording::Inputs& inputs) {
   const FolderLock lock = open_run_folder(folder);
   refuse_replacing(folder);
-  const simulation::Run run = run_with_progress(
-      inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); }, .threads = Workers::available()});
+  const NewResults results(folder);
+  const auto begun = [&] {
+    recording::expect_unchanged(inputs);
+    results.begin();
+  };
+  const simulation::Run run = run_with_progress(inputs.resolved, {.begun = begun, .threads = Workers::available()});
   if (!run.complete) throw Interrupted("interrupted; nothing is kept");
-  write_run_folder(folder, inputs, run);
+  results.write(inputs, run);
 }
 
 struct RerunOptions {

@@ -56,10 +56,11 @@ void run_case(const RunOptions& options) {
   const bool goes_on = options.resume && std::filesystem::exists(checkpoint);
   if (!goes_on && !options.replace) refuse_replacing(directory, ", or take --replace");
   if (options.resume && !goes_on) say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
+  const NewResults results(directory);
   simulation::RunOptions how{.begun =
                                  [&] {
                                    recording::expect_unchanged(inputs);
-                                   remove_run(directory);
+                                   results.begin();
                                    if (!goes_on) std::filesystem::remove(checkpoint);
                                  },
                              .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs),
@@ -85,7 +86,7 @@ void run_case(const RunOptions& options) {
     throw Interrupted(fmt::format(
         "{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory, reached));
   }
-  write_run_folder(directory, inputs, run);
+  results.write(inputs, run);
   if (view) view->end(fmt::format("The run is done. Its report is {}/report.html.", directory));
   print("{}\nresults in {}\n", run_table(resolved, run), directory);
   if (report::has_page()) print("report in  {}/report.html\n", directory);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -46,6 +49,47 @@ bool is_manifest(const fs::path& file) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+/// Where the results of a run lie until they are whole, and the file in it that says whose they are.
+constexpr const char* kNewResults = "results.part";
+constexpr const char* kRunMark = "run.begun";
+
+/// Gives the whole results in `part` their names in `directory`, in place of older ones. The manifest, which vouches
+/// for the others, goes first and comes last: as long as the new one is in `part`, this can be done again.
+void move_results(const fs::path& part, const fs::path& directory) {
+  try {
+    std::vector<fs::path> names;
+    for (const auto& entry : fs::recursive_directory_iterator(part))
+      if (const fs::path name = entry.path().lexically_relative(part); !entry.is_directory() && name != kRunMark)
+        names.push_back(name);
+    for (const char* const name : {"manifest.json", "report.html"}) fs::remove(directory / name);
+    for (const fs::path& name : names) fs::remove(directory / name);
+    std::ranges::partition(names, [](const fs::path& name) { return name != "manifest.json"; });
+    for (const fs::path& name : names) {
+      fs::create_directories((directory / name).parent_path());
+      fs::rename(part / name, directory / name);
+    }
+    fs::remove_all(part);
+  } catch (const fs::filesystem_error& error) {
+    throw StorageError(
+        fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
+                    error.path1().string(), error.code().message()));
+  }
+}
+
+/// Settles the results that a killed run left: whole ones get their names, others go.
+void settle_results(const fs::path& directory) {
+  const fs::path part = directory / kNewResults;
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(part, ignored);
+  if (!fs::exists(status)) return;
+  const bool is_own = fs::is_directory(status) && (fs::is_empty(part, ignored) || fs::exists(part / kRunMark, ignored));
+  if (!is_own)
+    throw InputError(Complaint{part.string(), "is there, but no run left it, and a run would write into it",
+                               "a folder that is new, empty or of a run", "give another folder, or move it"});
+  if (is_manifest(part / "manifest.json")) return move_results(part, directory);
+  fs::remove_all(part, ignored);
 }
 
 /// A run replaces the files of an earlier run, and nothing else. A folder has no place under the name of a file.
@@ -92,6 +136,7 @@ FolderLock open_run_folder(const std::string& directory) {
                   "a folder that is new, empty or of a run, outside of a campaign",
                   "give another folder; `brash campaign --resume` computes a case whose folder you remove"});
   FolderLock lock = FolderLock::take_or_refuse(directory, "run.lock");
+  settle_results(directory);
   refuse_files_of_others(directory);
   remove_parts(directory);
   return lock;
@@ -109,16 +154,24 @@ void refuse_replacing(const std::string& directory, const std::string& other_rem
            "go on from its checkpoint with `brash run --resume`, or give another folder");
 }
 
-void remove_run(const std::string& directory) {
-  recording::remove_results(directory);
-  for (const char* const name : {"report.html", "plan.svg"}) fs::remove(fs::path(directory) / name);
+NewResults::~NewResults() {
+  const fs::path part = fs::path(directory_) / kNewResults;
+  std::error_code ignored;
+  // Whole results whose names could not be given wait for the next command.
+  if (!fs::exists(part / "manifest.json", ignored)) fs::remove_all(part, ignored);
 }
 
-void write_run_folder(const std::string& directory, const recording::Inputs& inputs, const simulation::Run& run) {
-  write_file(directory + "/plan.svg",
+void NewResults::begin() const {
+  write_file(directory_ + "/" + kNewResults + "/" + kRunMark, "The results of a run go here until they are whole.\n");
+}
+
+void NewResults::write(const recording::Inputs& inputs, const simulation::Run& run) const {
+  const fs::path part = fs::path(directory_) / kNewResults;
+  write_file((part / "plan.svg").string(),
              report::plan_view(inputs.resolved, run.results, simulation::land_outlines(inputs.resolved)));
-  recording::write_run(directory, inputs, run, {"plan.svg"});
-  if (report::has_page()) write_report(directory);
+  recording::write_run(part.string(), inputs, run, {"plan.svg"});
+  move_results(part, directory_);
+  if (report::has_page()) write_report(directory_);
 }
 
 void expect_manifest(const std::string& directory) {

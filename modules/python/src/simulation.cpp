@@ -203,12 +203,14 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   const recording::Inputs inputs = inputs_of(c);
   const std::string checkpoint = directory + "/checkpoint.nc";
   bool goes_on = false;
+  std::optional<FolderLock> lock;
+  std::optional<cli::NewResults> results;
   simulation::RunOptions options;
   if (!directory.empty()) options.checkpoint = recording::checkpoint_file(checkpoint, resume, inputs);
   options.begun = [&] {
     if (directory.empty()) return;
     recording::expect_unchanged(inputs);
-    cli::remove_run(directory);
+    results->begin();
     if (!goes_on) std::filesystem::remove(checkpoint);
   };
   options.threads = checked(threads);
@@ -218,14 +220,14 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   const Frozen frozen(c);
   {
     const Released release;
-    std::optional<FolderLock> lock;
     if (!directory.empty()) {
       lock.emplace(cli::open_run_folder(directory));
+      results.emplace(directory);
       goes_on = resume && std::filesystem::exists(checkpoint);
       if (!goes_on && !replace) cli::refuse_replacing(directory, ", or take replace=True");
     }
     finished = simulation::run(c.resolved, options);
-    if (finished.complete && !directory.empty()) cli::write_run_folder(directory, inputs, finished);
+    if (finished.complete && results) results->write(inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();
   finished.summary.origin = io::origin_of(c.resolved);

@@ -130,10 +130,4 @@ void write_run(const std::string& directory, const Inputs& inputs, const simulat
                       .threads = run.threads});
 }
 
-void remove_results(const std::string& directory) {
-  // The files that vouch for the others go first.
-  for (const char* const name : {"manifest.json", "summary.json", "run.nc", "history.csv", "events.csv"})
-    std::filesystem::remove(std::filesystem::path(directory) / name);
-}
-
 }  // namespace brash::recording

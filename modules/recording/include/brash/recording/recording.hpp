@@ -29,8 +29,4 @@ enum class Kept { kSummary, kHistory, kRun };
 void write_run(const std::string& directory, const Inputs& inputs, const simulation::Run& run,
                const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
 
-/// Removes the results of an earlier write_run from `directory`: none of them may pass for a result of the run that
-/// begins.
-void remove_results(const std::string& directory);
-
 }  // namespace brash::recording
