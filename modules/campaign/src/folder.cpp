@@ -11,6 +11,8 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "brash/recording/inputs.hpp"
+#include "case_check.hpp"
 #include "columns.hpp"
 
 namespace brash::campaign {
@@ -166,6 +168,23 @@ void Folder::prepare(bool resume) {
     if (const std::string path = setting_file(i); !fs::exists(path))
       write_file(path, copies_->setting_text(plan_.settings[i]));
   copies_->write(directory_);
+}
+
+void Folder::remove_unfit(const std::function<void(const std::string& what)>& unfit) const {
+  const int most = plan_.stop ? plan_.stop->most_replicates : plan_.replicates;
+  for (std::size_t setting = 0; setting < plan_.settings.size(); ++setting) {
+    std::optional<model::Case> expected;
+    for (int replicate = 0; replicate < most; ++replicate) {
+      const CaseKey key{setting, replicate};
+      if (state(key) != CaseState::kDone) continue;
+      if (!expected) expected = recording::read_inputs(setting_file(setting), {}, io::ModelFile::kAnywhere).recorded();
+      expected->random.replicate = replicate;
+      const std::string why = why_unfit(case_folder(key), *expected);
+      if (why.empty()) continue;
+      unfit(case_folder(key) + ": " + why);
+      fs::remove_all(case_folder(key));
+    }
+  }
 }
 
 Job Folder::job_of(const CaseKey& key, const std::string& program) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -40,6 +41,9 @@ class Folder {
   /// @throws InputError when a setting of that name is there already and differs, when cases are there and `resume`
   ///         is false, or when there are files of something else, or links.
   void prepare(bool resume);
+  /// Removes the done cases of the plan that are not what this campaign made, so that they are run again.
+  /// @param unfit  is told of each before it goes.
+  void remove_unfit(const std::function<void(const std::string& what)>& unfit) const;
   /// The plan's files, as prepare() hashed them.
   const std::vector<CopiedFile>& copied_files() const { return copies_.value().files(); }
   /// The process that runs a case.

@@ -23,15 +23,34 @@ void refuse_if_in_queue(const std::string& directory) {
 
 /// A campaign's folder, locked and prepared, and its content.
 struct Opened {
-  explicit Opened(const Campaign& campaign)
+  /// @param unfit  is told of each done case that is not what the campaign made, before it is removed.
+  Opened(const Campaign& campaign, const std::function<void(const std::string& what)>& unfit)
       : lock(FolderLock::take_or_refuse(campaign.directory, "campaign.lock")),
         folder(campaign.plan, campaign.directory),
-        schedule((refuse_if_in_queue(campaign.directory), folder.prepare(campaign.resume), campaign.plan), folder) {}
+        schedule((prepare(folder, campaign, unfit), campaign.plan), folder) {}
+  explicit Opened(const Campaign& campaign)
+      : Opened(campaign, [&](const std::string& what) {
+          if (campaign.unfit) campaign.unfit(what);
+        }) {}
 
   FolderLock lock;
   Folder folder;
   Schedule schedule;
+
+ private:
+  static void prepare(Folder& folder, const Campaign& campaign,
+                      const std::function<void(const std::string& what)>& unfit) {
+    refuse_if_in_queue(campaign.directory);
+    folder.prepare(campaign.resume);
+    folder.remove_unfit(unfit);
+  }
 };
+
+[[noreturn]] void refuse_unfit(const std::string& what) {
+  throw InputError(what +
+                   "\n  allowed: cases as the campaign made them\n  remedy:  go on with `--resume`, which runs "
+                   "this case again");
+}
 
 }  // namespace
 
@@ -64,7 +83,7 @@ Counts write_tables(const Campaign& campaign) {
   if (const Counts now = count(campaign.plan, campaign.directory); now.n_done + now.n_failed == 0)
     throw InputError(Complaint{campaign.directory, "holds no case of this plan that is done or failed",
                                "the folder of a campaign with a finished case", "run the campaign first"});
-  const Opened opened(campaign);
+  const Opened opened(campaign, refuse_unfit);
   collect(campaign, opened.folder, opened.schedule);
   return opened.schedule.counts();
 }

@@ -299,7 +299,8 @@ void run_campaign(const CampaignOptions& options) {
       .plan_file = options.plan_file,
       .directory = options.directory,
       .resume = options.resume || options.tables,
-      .program = campaign::this_program()};
+      .program = campaign::this_program(),
+      .unfit = [](const std::string& what) { say("warning: {}: the case is run again\n", what); }};
   const Counts before = campaign::count(campaign.plan, options.directory);
   // Later on the table tells them.
   if (!options.tables && before.n_done + before.n_failed == 0) say_warnings(campaign.plan.settings);

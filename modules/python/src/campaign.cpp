@@ -44,6 +44,7 @@ py::dict run(const py::object& plan, const py::object& output, int jobs, bool re
              const py::object& program) {
   const std::string plan_file = path_of(plan), directory = path_of(output);
   if (jobs < 0 || jobs > 100'000) throw InputError(fmt::format("jobs = {}: 1 to 100000, or 0 for the cores", jobs));
+  std::vector<std::string> unfit;
   const campaign::Campaign campaign{
       .plan = io::read_campaign_plan(plan_file, {.quick = quick,
                                                  .replicates = {},
@@ -53,7 +54,8 @@ py::dict run(const py::object& plan, const py::object& output, int jobs, bool re
       .plan_file = plan_file,
       .directory = directory,
       .resume = resume,
-      .program = program.is_none() ? own_program() : path_of(program)};
+      .program = program.is_none() ? own_program() : path_of(program),
+      .unfit = [&](const std::string& what) { unfit.push_back(what); }};
   const int n_workers = jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   // A signal may reach another thread than the one that waits for the cases: Python knows of it all the same.
   SignalPoll poll;
@@ -71,6 +73,7 @@ py::dict run(const py::object& plan, const py::object& output, int jobs, bool re
     }
   }
   if (interrupted) throw py::error_already_set();
+  for (const std::string& what : unfit) py::module_::import("warnings").attr("warn")(what + ": the case was run again");
   if (counts.n_missing() > 0) {
     throw RunError(
         fmt::format("stopped with {} of {} cases missing; resume=True goes on", counts.n_missing(), counts.n_cases));

@@ -119,6 +119,30 @@ class Command(unittest.TestCase):
         self.assertEqual([path for path in left if path.exists()], [])
         self.assertEqual(different(self.whole, folder), [])
 
+    def test_cases_that_are_not_as_they_were_made_are_named_and_run_again(self):
+        folder = FOLDER / "unfit"
+        shutil.copytree(self.whole, folder)
+        cases = sorted(p for p in (folder / "cases").iterdir() if p.is_dir())
+        one, two, untrue, cut, lost = cases[:5]
+        one.rename(folder / "swapped")
+        two.rename(one)
+        (folder / "swapped").rename(two)
+        summary = json.loads((untrue / "summary.json").read_text(encoding="utf-8"))
+        summary["horizontal"]["mean"] = 9e9
+        (untrue / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        history = (cut / "history.csv").read_text(encoding="utf-8")
+        (cut / "history.csv").write_text(history[:len(history) // 2], encoding="utf-8")
+        (lost / "history.csv").unlink()
+        self.refuses(quick(folder, "--tables"), f"{one}: its manifest.json names another case", "allowed:", "`--resume`")
+        done = quick(folder, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for case, why in ((one, "names another case"), (two, "names another case"), (untrue, "summary.json has changed"),
+                          (cut, "history.csv has changed"), (lost, "history.csv is missing")):
+            self.assertRegex(done.stderr, f"warning: {case}: its .*{why}.*: the case is run again")
+        self.assertEqual(done.stderr.count("is run again"), 5)
+        self.assertEqual(different(self.whole, folder), [])
+        self.assertNotIn("is run again", quick(folder, "--resume").stderr)
+
     def test_an_interrupted_campaign_says_so_with_exit_code_3(self):
         folder = FOLDER / "interrupted"
         process = subprocess.Popen([BRASH, "campaign", PLAN, "-o", folder, "--quick", "--jobs", "2"],

@@ -42,13 +42,15 @@ struct Campaign {
   std::string directory;
   bool resume = false;  ///< goes on with the cases that `directory` holds; without it there may be none
   std::string program;  ///< path of the `brash` command, whose `campaign-case` runs one case
+  /// Told of each done case that is not what the campaign made, such as one whose history was cut. It is run again.
+  std::function<void(const std::string& what)> unfit{};
 };
 
 /// Told now and then how far a campaign is, and how many cases are running.
 using Progress = std::function<void(const Counts&, std::size_t n_running)>;
 
 /// Runs the missing cases in `n_workers` processes on this machine; when none is missing, writes campaign.csv,
-/// campaign.nc, summary.json and manifest.json. Done cases are left alone.
+/// campaign.nc, summary.json and manifest.json. Done cases whose results have their hashes are left alone.
 ///
 /// @return the counts; cases are missing when it was interrupted or a case was killed from outside.
 /// @throws InputError when another process works in the folder, or it holds another campaign. @throws RunError when the
@@ -65,7 +67,7 @@ Counts run_slurm(const Campaign& campaign, SlurmOptions slurm);
 /// Writes the tables of the cases that are done or failed so far, and runs nothing. A missing case has no row.
 ///
 /// @return the counts.
-/// @throws InputError when no case is done or failed, or as run_local does.
+/// @throws InputError when no case is done or failed, or one is not what the campaign made, or as run_local does.
 Counts write_tables(const Campaign& campaign);
 
 /// The folder for the files of Slurm in the folder of a campaign.
