@@ -13,6 +13,7 @@
 #include "brash/core/text.hpp"
 #include "brash/io/results.hpp"
 #include "campaign_histories.hpp"
+#include "case_differences.hpp"
 #include "file_name.hpp"
 #include "history_comparison.hpp"
 #include "messages.hpp"
@@ -119,12 +120,13 @@ void compare(CompareOptions& options) {
   for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});
   for (const LoadHistory& load : measured) refuse_overwriting(options.picture, {load.file});
   check_units(runs.front(), measured.front(), measured.front().file);
-  const nlohmann::ordered_json comparison = compare_histories(runs, measured);
+  nlohmann::ordered_json comparison = compare_histories(runs, measured);
+  add_case_differences(runs, measured, comparison);
   write_picture(options.picture, comparison_picture(joined(runs), joined(measured), comparison));
   if (options.json) {
     print_data(comparison.dump(2) + "\n");
   } else {
-    print("{}picture in {}\n", comparison_text(comparison), options.picture);
+    print("{}{}picture in {}\n", case_differences_text(comparison), comparison_text(comparison), options.picture);
   }
   note_doubts(runs);
   note_doubts(measured);

@@ -60,6 +60,29 @@ class Folders(unittest.TestCase):
         self.assertGreater(abs(self.mean(run, run, "--from", 1) / of_summary - 1.0), 1e-3)
         self.assertGreater(abs(self.mean(run / "run.nc", run, "--from", 0) / of_summary - 1.0), 1e-3)
 
+    def test_the_inputs_that_differ_are_the_first_table_and_the_same_run_is_named(self):
+        def run(name, *sets):
+            made = subprocess.run([BRASH, "run", str(SOURCE / "experiments/validation/cone.toml"), "--set",
+                                   "failure.model=wedge", "--set", "time.duration=2", "--set", "output.statistics_from=1",
+                                   *sets, "-o", str(self.folder / name)], capture_output=True, text=True)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            return self.folder / name
+
+        one, again = run("one"), run("again")
+        other = run("other", "--set", "ice.thickness=0.4", "--set", "random.seed=7")
+        lines = self.compare(one, other).stdout.splitlines()
+        self.assertEqual(lines[0].split(), ["inputs", "that", "differ", "run", "measured"])
+        self.assertEqual([line.split()[0] for line in lines[1:3]], ["ice.thickness", "random.seed"])
+        self.assertEqual(lines[1].split()[-1], "0.4")
+        self.assertEqual(lines[3], "")
+        found = json.loads(self.compare(one, other, "--json").stdout)
+        self.assertEqual([row["key"] for row in found["inputs_that_differ"]], ["ice.thickness", "random.seed"])
+        self.assertNotIn("same_run", found)
+        for same in (one, one / "history.csv", again):
+            self.assertIn("both sides have the same run", self.compare(one, same).stdout.splitlines()[0])
+        self.assertIn("both sides have the same run",
+                      self.compare(self.run_of("measured", 20.0, 0.0), self.folder / "measured").stdout)
+
     def test_a_run_has_the_mean_of_itself(self):
         run = self.run_of("run", 40.0, 30.0)
         for measured in (run, run / "history.csv"):
