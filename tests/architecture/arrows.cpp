@@ -37,7 +37,7 @@ const std::map<std::string, Room> kRooms{
     {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {"CGAL", "Eigen", "json"}}},
     {"io", {"modules/io", {"core", "geometry", "model", "netcdf", "structure"}, {"toml", "netcdf", "udunits", "json"}}},
     {"report", {"modules/report", {"core", "model", "io", "statistics", "structure"}, {"json", "zlib"}}},
-    {"live", {"modules/live", {"core"}, {"httplib"}}},
+    {"live", {"modules/live", {"core"}, {"beast"}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "statistics"},
@@ -68,7 +68,7 @@ const std::map<std::string, std::regex> kLibraries{
     {"nettle", std::regex("^nettle/")},
     {"zlib", std::regex("^zlib\\.h")},
     {"clipper", std::regex("^polyclipping/")},
-    {"httplib", std::regex("^httplib\\.h")},
+    {"beast", std::regex("^boost/(asio|beast)")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/live/server.hpp"
 
-#include <httplib.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/http/write.hpp>
 #include <charconv>
-#include <cstdlib>
-#include <filesystem>
+#include <cstdint>
+#include <future>
+#include <list>
+#include <optional>
 #include <random>
+#include <sstream>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -20,15 +33,17 @@ namespace brash::live {
 namespace {
 
 using namespace std::chrono_literals;
+namespace net = boost::asio;
+namespace http = boost::beast::http;
+using boost::system::error_code;
+using net::ip::tcp;
 
-constexpr const char* kHost = "127.0.0.1";
-constexpr int kMostReaders = 12;               ///< each holds a thread
-constexpr std::size_t kThreads = 16;           ///< of the server; the others answer wishes
-constexpr std::size_t kMostBytes = 1024;       ///< of a request's body; wishes have none
 constexpr std::chrono::seconds kHeartbeat{1};  ///< a comment is sent so often: a browser that is gone is noticed
 constexpr std::chrono::milliseconds kPauseStep{50};
-constexpr std::chrono::milliseconds kEndStep{5};   ///< at the end the server is looked at so often
-constexpr std::chrono::milliseconds kGrace{1000};  ///< for answers under way at the end; then connections are shut
+constexpr std::chrono::milliseconds kAcceptAgain{100};  ///< after a failure, such as too many open files
+constexpr std::chrono::milliseconds kGrace{1000};       ///< for answers under way at the end, and for a last goodbye
+constexpr std::size_t kReadAtOnce = 4096;
+constexpr std::size_t kIgnored = 65'536;  ///< bytes of a refused client that are read, so that it sees the answer
 
 /// 128 random bits of the system, in hexadecimal.
 std::string new_token() {
@@ -42,22 +57,14 @@ std::string new_token() {
   return token;
 }
 
-/// Ends all connections of this process that lead to `port` of 127.0.0.1: the library names no socket of its own.
-void shut_connections(int port) {
-  std::error_code failed;
-  for (std::filesystem::directory_iterator file("/proc/self/fd", failed), end; !failed && file != end;
-       file.increment(failed)) {
-    const int socket = std::atoi(file->path().filename().c_str());
-    sockaddr_in place{};
-    socklen_t size = sizeof place;
-    if (::getsockname(socket, reinterpret_cast<sockaddr*>(&place), &size) != 0) continue;
-    if (place.sin_family == AF_INET && ntohs(place.sin_port) == port) ::shutdown(socket, SHUT_RDWR);
-  }
+/// Boost's string views are of another type in each version.
+template <typename Text>
+std::string_view view_of(const Text& text) {
+  return {text.data(), text.size()};
 }
 
-/// Where a browser that was cut off goes on: behind the last event that it has.
-std::size_t first_event(const httplib::Request& request) {
-  const std::string last = request.get_header_value("Last-Event-ID");
+/// Where a browser that was cut off continues: behind the last event that it has.
+std::size_t event_after(std::string_view last) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(last.data(), last.data() + last.size(), number);
   return error == std::errc() && end == last.data() + last.size() && !last.empty() ? number + 1 : 0;
@@ -65,129 +72,306 @@ std::size_t first_event(const httplib::Request& request) {
 
 }  // namespace
 
-struct Server::Impl {
+/// What clients share. The thread of the server and the caller both use it.
+struct View {
   std::string page;
+  Limits limits;
   std::string token = new_token();
-  std::string address;
-  std::string host;
-  int port = 0;
-  Stream stream;
-  std::atomic<bool> is_paused{false}, is_ended{false}, has_listened{false};
-  httplib::Server http;
-  std::thread thread;
+  std::string host{};  ///< and port
+  Stream stream{};
+  std::atomic<bool> is_paused{false}, is_asked_to_end{false};
+  std::function<void()> published{};  ///< wakes the readers
 
-  explicit Impl(std::string html) : page(std::move(html)) {
-    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-    http.set_payload_max_length(kMostBytes);
-    http.set_pre_routing_handler(
-        [this](const httplib::Request& request, httplib::Response& response) { return admit(request, response); });
-    route();
-    port = http.bind_to_any_port(kHost);
-    if (port <= 0)
-      throw RunError("no view: cannot listen on 127.0.0.1\n  remedy:  run without --view, and look at the report");
-    host = std::string(kHost) + ":" + std::to_string(port);
-    address = "http://" + host + "/" + token + "/";
-    thread = std::thread([this] {
-      http.listen_after_bind();
-      has_listened = true;
-    });
-  }
+  std::string root() const { return "/" + token + "/"; }
 
-  ~Impl() {
-    stream.close();
-    // A server that is stopped before it listens would listen on. One whose socket has failed listens no more.
-    while (!http.is_running() && !has_listened) std::this_thread::sleep_for(1ms);
-    http.stop();
-    // The library waits for a byte at a time: a sender of endless requests would hold its thread.
-    for (auto waited = 0ms; !has_listened; waited += kEndStep) {
-      std::this_thread::sleep_for(kEndStep);
-      if (waited >= kGrace) shut_connections(port);
-    }
-    thread.join();
-  }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-
-  /// Lets nobody in without the token, nor a page of another name that leads here.
-  httplib::Server::HandlerResponse admit(const httplib::Request& request, httplib::Response& response) const {
-    response.set_header("Cache-Control", "no-store");
-    response.set_header("X-Content-Type-Options", "nosniff");
-    response.set_header("Referrer-Policy", "no-referrer");
-    const bool knows_token = request.path.starts_with("/" + token + "/");
-    if (knows_token && request.get_header_value("Host") == host) return httplib::Server::HandlerResponse::Unhandled;
-    response.status = 403;
-    response.set_content("The address of a view holds a token that is made for its run.\n", "text/plain");
-    return httplib::Server::HandlerResponse::Handled;
-  }
-
-  void route() {
-    const std::string root = "/" + token + "/";
-    // The library compresses texts that are given whole, at Brotli's best level: more work than seconds of a run.
-    http.Get(root, [this](const httplib::Request&, httplib::Response& response) {
-      response.set_content_provider(page.size(), "text/html; charset=utf-8",
-                                    [this](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-                                      return sink.write(page.data() + offset, length);
-                                    });
-    });
-    http.Get(root + "events",
-             [this](const httplib::Request& request, httplib::Response& response) { send_events(request, response); });
-    const auto on = [&](const char* wish, auto act) {
-      http.Post(root + wish, [act](const httplib::Request&, httplib::Response& response) {
-        act();
-        response.status = 204;
-      });
-    };
-    on("pause", [this] { wish_pause(true); });
-    on("resume", [this] { wish_pause(false); });
-    on("stop", [this] { is_ended = true; });
+  void publish(const std::string& event, const std::string& data) {
+    stream.publish(event, data);
+    published();
   }
 
   /// All browsers are told, so that each shows the button that fits.
   void wish_pause(bool paused) {
-    if (is_paused.exchange(paused) != paused) stream.publish("paused", paused ? "true" : "false");
+    if (is_paused.exchange(paused) != paused) publish("paused", paused ? "true" : "false");
   }
 
-  void send_events(const httplib::Request& request, httplib::Response& response) {
-    if (stream.n_readers() >= kMostReaders) {
-      response.status = 503;
-      response.set_content("Too many browsers watch already.\n", "text/plain");
-      return;
-    }
-    const auto reader = std::make_shared<Stream::Reader>(stream);
-    response.set_chunked_content_provider(
-        "text/event-stream", [this, reader, next = first_event(request)](std::size_t, httplib::DataSink& sink) mutable {
-          const Stream::Event event = stream.wait_for(next, kHeartbeat);
-          if (event) {
-            ++next;
-            return sink.write(event->data(), event->size());
-          }
-          if (!stream.ends_before(next)) return sink.write(":\n\n", 3);
-          sink.done();
-          return true;
-        });
+  /// @return whether there is such a wish.
+  bool fulfil(std::string_view wish) {
+    if (wish == "pause" || wish == "resume")
+      wish_pause(wish == "pause");
+    else if (wish == "stop")
+      is_asked_to_end = true;
+    else
+      return false;
+    return true;
   }
 };
 
-Server::Server(std::string page) : impl_(std::make_unique<Impl>(std::move(page))) {}
+/// One connection: it reads one request, answers it, and ends. It lives as long as an operation of it waits.
+class Client : public std::enable_shared_from_this<Client> {
+ public:
+  Client(tcp::socket socket, View& view)
+      : view_(view), stream_(std::move(socket)), heartbeat_(stream_.get_executor()), buffer_(2 * view.limits.header) {
+    parser_.eager(true);
+    parser_.header_limit(static_cast<std::uint32_t>(view.limits.header));
+    parser_.body_limit(view.limits.body);
+  }
+
+  void start() {
+    stream_.expires_after(view_.limits.request);  // for all reads together
+    read();
+  }
+  /// Whether it has shown the token.
+  bool is_admitted() const { return is_admitted_; }
+  /// Looks for events that are new.
+  void wake() { heartbeat_.cancel(); }
+  void shut() { stream_.close(); }
+
+ private:
+  void read() {
+    if (buffer_.size() + kReadAtOnce > buffer_.max_size()) return refuse_length();
+    stream_.async_read_some(buffer_.prepare(kReadAtOnce), [self = shared_from_this()](error_code error, std::size_t n) {
+      if (!error) self->have_read(n);
+    });
+  }
+
+  void have_read(std::size_t n) {
+    buffer_.commit(n);
+    error_code error;
+    buffer_.consume(parser_.put(buffer_.data(), error));
+    if (error == http::error::body_limit || error == http::error::header_limit) return refuse_length();
+    if (error && error != http::error::need_more) return;
+    const std::string_view target = view_of(parser_.get().target());
+    const bool is_refused = parser_.is_header_done() ? !admits() : !target.empty() && !target.starts_with(view_.root());
+    if (is_refused)
+      return refuse(http::status::forbidden, "The address of a view holds a token that is made for its run.\n");
+    is_admitted_ = parser_.is_header_done();
+    if (parser_.is_done())
+      answer();
+    else
+      read();
+  }
+
+  void refuse_length() { refuse(http::status::payload_too_large, "A request of a view is short.\n"); }
+
+  /// Lets nobody in without the token, nor a page of another name that leads here.
+  bool admits() const {
+    const auto& request = parser_.get();
+    const auto origin = request.find(http::field::origin);
+    return view_of(request.target()).starts_with(view_.root()) && view_of(request[http::field::host]) == view_.host &&
+           (origin == request.end() || view_of(origin->value()) == "http://" + view_.host);
+  }
+
+  void answer() {
+    const auto& request = parser_.get();
+    std::string_view name = view_of(request.target()).substr(view_.root().size());
+    name = name.substr(0, name.find('?'));
+    if (request.method() == http::verb::get && name.empty())
+      return send(http::status::ok, "text/html; charset=utf-8", view_.page);
+    if (request.method() == http::verb::get && name == "events") return begin_events();
+    if (request.method() == http::verb::post && view_.fulfil(name)) return send(http::status::no_content, "", "");
+    refuse(http::status::not_found, "A view has no such page.\n");
+  }
+
+  void refuse(http::status status, const char* why) { send(status, "text/plain", why); }
+
+  static http::response<http::empty_body> header(http::status status, const char* type) {
+    http::response<http::empty_body> response(status, 11);
+    if (*type != '\0') response.set(http::field::content_type, type);
+    response.set(http::field::cache_control, "no-store");
+    response.set("X-Content-Type-Options", "nosniff");
+    response.set("Referrer-Policy", "no-referrer");
+    response.keep_alive(false);
+    return response;
+  }
+
+  /// @param body  outlives the connection.
+  void send(http::status status, const char* type, std::string_view body) {
+    auto response = header(status, type);
+    if (status != http::status::no_content) response.content_length(body.size());
+    write(text_of(response), body, &Client::leave);
+  }
+
+  /// The stream ends with its connection.
+  void begin_events() {
+    if (view_.stream.n_readers() >= view_.limits.readers)
+      return refuse(http::status::service_unavailable, "Too many browsers watch already.\n");
+    reader_.emplace(view_.stream);
+    next_ = event_after(view_of(parser_.get()["Last-Event-ID"]));
+    write(text_of(header(http::status::ok, "text/event-stream")), {}, &Client::send_next);
+  }
+
+  static Stream::Event text_of(const http::response<http::empty_body>& response) {
+    std::ostringstream text;
+    text << response.base();
+    return std::make_shared<const std::string>(text.str());
+  }
+
+  /// Sends one event at a time, and takes the next when the client has taken this one: nothing piles up for it.
+  void send_next() {
+    static const auto kComment = std::make_shared<const std::string>(":\n\n");
+    const bool beats = std::exchange(is_beat_due_, false);
+    if (Stream::Event event = view_.stream.at(next_)) {
+      ++next_;
+      return write(std::move(event), {}, &Client::send_next);
+    }
+    if (view_.stream.ends_before(next_)) return leave();
+    if (beats) return write(kComment, {}, &Client::send_next);
+    heartbeat_.expires_after(kHeartbeat);
+    heartbeat_.async_wait([self = shared_from_this()](error_code woken) {
+      self->is_beat_due_ = !woken;
+      self->send_next();
+    });
+  }
+
+  /// @param body  follows the text, and outlives the connection.
+  void write(Stream::Event text, std::string_view body, void (Client::*then)()) {
+    const std::array bytes{net::buffer(*text), net::buffer(body.data(), body.size())};
+    stream_.expires_after(view_.limits.answer);
+    net::async_write(stream_, bytes,
+                     [self = shared_from_this(), text = std::move(text), then](error_code error, std::size_t) {
+                       if (!error) ((*self).*then)();
+                     });
+  }
+
+  /// A connection that is closed with bytes unread loses the answer: the rest is read for a moment.
+  void leave() {
+    reader_.reset();
+    error_code ignored;
+    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    stream_.expires_after(kGrace);
+    ignore(kIgnored);
+  }
+
+  void ignore(std::size_t most) {
+    buffer_.clear();
+    stream_.async_read_some(buffer_.prepare(kReadAtOnce),
+                            [self = shared_from_this(), most](error_code error, std::size_t n) {
+                              if (!error && n < most) self->ignore(most - n);
+                            });
+  }
+
+  View& view_;
+  boost::beast::tcp_stream stream_;
+  net::steady_timer heartbeat_;
+  boost::beast::flat_buffer buffer_;
+  http::request_parser<http::string_body> parser_;
+  bool is_admitted_ = false;
+  std::optional<Stream::Reader> reader_;  ///< while it takes the stream
+  std::size_t next_ = 0;                  ///< event
+  bool is_beat_due_ = false;              ///< if there is no event
+};
+
+struct Server::Impl {
+  View view;
+  std::string address;
+  net::io_context io{1};  ///< its handlers run in one thread
+  tcp::acceptor acceptor{io};
+  net::steady_timer accept_again{io};
+  std::list<std::weak_ptr<Client>> clients;  ///< the oldest first
+  std::future<void> handlers;
+
+  Impl(std::string page, Limits limits) : view{.page = std::move(page), .limits = limits} {
+    listen();
+    view.host = "127.0.0.1:" + std::to_string(acceptor.local_endpoint().port());
+    view.published = [this] { net::post(io, [this] { for_each_client(&Client::wake); }); };
+    address = "http://" + view.host + view.root();
+    accept();
+    handlers = std::async(std::launch::async, [this] { io.run(); });
+  }
+
+  /// Answers that are under way have a moment to reach their clients.
+  ~Impl() {
+    view.stream.close();
+    net::post(io, [this] { end(); });
+    if (handlers.wait_for(kGrace) != std::future_status::ready) io.stop();
+    handlers.wait();
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  void listen() {
+    try {
+      const tcp::endpoint here(net::ip::address_v4::loopback(), 0);
+      acceptor.open(here.protocol());
+      acceptor.bind(here);
+      acceptor.listen();
+    } catch (const boost::system::system_error&) {
+      throw RunError("no view: cannot listen on 127.0.0.1\n  remedy:  run without --view, and look at the report");
+    }
+  }
+
+  void accept() {
+    acceptor.async_accept([this](error_code error, tcp::socket socket) {
+      if (!acceptor.is_open()) return;
+      if (!error) {
+        take(std::move(socket));
+        return accept();
+      }
+      accept_again.expires_after(kAcceptAgain);
+      accept_again.async_wait([this](error_code cancelled) {
+        if (!cancelled) accept();
+      });
+    });
+  }
+
+  /// When there are too many connections, the oldest one that has not shown the token ends.
+  void take(tcp::socket socket) {
+    clients.remove_if([](const auto& client) { return client.expired(); });
+    if (clients.size() >= view.limits.connections) {
+      const auto stranger = std::find_if(clients.begin(), clients.end(), [](const auto& client) {
+        const auto living = client.lock();
+        return !living || !living->is_admitted();
+      });
+      if (stranger == clients.end()) return;
+      if (const auto living = stranger->lock()) living->shut();
+      clients.erase(stranger);
+    }
+    const auto client = std::make_shared<Client>(std::move(socket), view);
+    clients.push_back(client);
+    client->start();
+  }
+
+  void for_each_client(void (Client::*act)()) {
+    for (const auto& client : clients)
+      if (const auto living = client.lock()) ((*living).*act)();
+  }
+
+  /// Afterwards the handlers run until the last answer is sent.
+  void end() {
+    error_code ignored;
+    acceptor.close(ignored);
+    accept_again.cancel();
+    for (const auto& client : clients) {
+      const auto living = client.lock();
+      if (!living) continue;
+      living->wake();
+      if (!living->is_admitted()) living->shut();
+    }
+  }
+};
+
+Server::Server(std::string page, Limits limits) : impl_(std::make_unique<Impl>(std::move(page), limits)) {}
 Server::~Server() = default;
 
 const std::string& Server::address() const { return impl_->address; }
 
-void Server::publish(const std::string& event, const std::string& data) { impl_->stream.publish(event, data); }
+void Server::publish(const std::string& event, const std::string& data) { impl_->view.publish(event, data); }
 
-bool Server::is_watched() const { return impl_->stream.n_readers() > 0; }
+bool Server::is_watched() const { return impl_->view.stream.n_readers() > 0; }
 
-bool Server::is_paused() const { return impl_->is_paused; }
+bool Server::is_paused() const { return impl_->view.is_paused; }
 
-bool Server::is_asked_to_end() const { return impl_->is_ended; }
+bool Server::is_asked_to_end() const { return impl_->view.is_asked_to_end; }
 
 void Server::wait_while_paused(const std::function<bool()>& ended) const {
-  while (impl_->is_paused && !impl_->is_ended && !ended()) std::this_thread::sleep_for(kPauseStep);
+  const View& view = impl_->view;
+  while (view.is_paused && !view.is_asked_to_end && !ended()) std::this_thread::sleep_for(kPauseStep);
 }
 
 void Server::finish(std::chrono::milliseconds longest) {
-  impl_->stream.close();
-  impl_->stream.wait_for_readers(longest);
+  impl_->view.stream.close();
+  impl_->view.published();
+  impl_->view.stream.wait_for_readers(longest);
 }
 
 }  // namespace brash::live

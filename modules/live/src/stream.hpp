@@ -11,6 +11,7 @@
 namespace brash::live {
 
 /// Everything that was published, in order, as server-sent events. Many readers go through it, each at its own pace.
+/// They share the events, so that a slow reader keeps no copy.
 class Stream {
  public:
   using Event = std::shared_ptr<const std::string>;
@@ -19,8 +20,8 @@ class Stream {
   /// Lets readers come to an end.
   void close();
 
-  /// The event number `index`, when it is there; nothing after `patience`, or where the stream ends before it.
-  Event wait_for(std::size_t index, std::chrono::milliseconds patience) const;
+  /// The event number `index`; nothing when it is not there yet.
+  Event at(std::size_t index) const;
   /// Whether there is no event number `index`, and never will be.
   bool ends_before(std::size_t index) const;
 
@@ -41,7 +42,7 @@ class Stream {
 
  private:
   mutable std::mutex mutex_;
-  mutable std::condition_variable changed_;
+  mutable std::condition_variable reader_left_;
   std::vector<Event> events_;
   bool closed_ = false;
   int n_readers_ = 0;
