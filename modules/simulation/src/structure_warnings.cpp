@@ -226,6 +226,34 @@ void add_turn_warning(const model::Motion& motion, Warnings& warnings) {
                                  row->heading, (row + 1)->heading, row->time, (row + 1)->time, kDegreesMeant)});
 }
 
+/// Whether an angle [rad] of this size looks as if its degrees had lost their unit: the radians are a short number, and
+/// the angle is none that people write so.
+/// @param plausible  smaller ones are likely meant [rad].
+bool looks_like_degrees(double angle, double plausible) {
+  constexpr double kPerUnit = 100.0, kRounding = 1e-9;
+  constexpr double kUsual = 15.0, kNear = 0.3;  // multiples of it are usual, such as 1.57 rad [degrees]
+  const double digits = kPerUnit * std::abs(angle);
+  const bool is_short = std::abs(digits - std::round(digits)) < kRounding;
+  const bool is_usual = std::abs(std::remainder(degrees(angle), kUsual)) < kNear;
+  return std::abs(angle) >= plausible && is_short && !is_usual;
+}
+
+/// The angles whose degrees are within the range of radians too. The others are refused where they are read.
+void add_angle_warnings(const model::Case& c, Warnings& warnings) {
+  constexpr double kTurned = 0.5, kTilted = 0.1;  // [rad]
+  const auto look = [&](const char* key, double angle, double plausible) {
+    if (!looks_like_degrees(angle, plausible)) return;
+    warnings.push_back({"bare-angle", fmt::format("{0} = {1} is in radians, {2:.4g} degrees: was \"{1} deg\" meant?",
+                                                  key, angle, degrees(angle))});
+  };
+  if (const auto* const mesh = std::get_if<model::Mesh>(&c.structure.shape)) {
+    look("structure.heading", mesh->heading, kTurned);
+    look("structure.heel", mesh->heel, kTilted);
+    look("structure.trim", mesh->trim, kTilted);
+  }
+  if (c.hull.flare) look("hull.flare", *c.hull.flare, kTurned);
+}
+
 }  // namespace
 
 const model::FloatingBody* afloat(const model::Motion& motion) {
@@ -237,6 +265,7 @@ const model::FloatingBody* afloat(const model::Motion& motion) {
 void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   add_front_warning(scales, warnings);
   add_turn_warning(c.structure.motion, warnings);
+  add_angle_warnings(c, warnings);
   add_spring_warning(c, warnings);
   add_period_warning(c, warnings);
   const model::FloatingBody* const body = afloat(c.structure.motion);

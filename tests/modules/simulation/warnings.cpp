@@ -71,6 +71,21 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_unit_gets_the_unit_that_was_probably_m
   BOOST_TEST(says(modulus, "was \"100 MPa\" meant?"), modulus);
 }
 
+BOOST_AUTO_TEST_CASE(an_angle_without_its_unit_is_warned_of_and_one_that_is_meant_is_not) {
+  const auto text = [](const std::string& setting) {
+    const model::Case c =
+        io::read_case(kSource + "/tests/modules/simulation/askew_barge.toml", {setting, "ice.friction_structure=0"});
+    return text_of(simulation::derived_scales(c).warnings, "bare-angle");
+  };
+  BOOST_TEST(says(text("structure.heading=3"), "3 is in radians, 171.9 degrees: was \"3 deg\" meant?"));
+  for (const char* const bare :
+       {"structure.heading=-1", "structure.heading=2.5", "structure.heel=0.5", "structure.trim=0.2"})
+    BOOST_TEST(!text(bare).empty(), bare);
+  for (const char* const meant : {"structure.heading='170 deg'", "structure.heading=1.57", "structure.heading=3.14",
+                                  "structure.heading=0.1", "structure.heel='2 deg'", "structure.trim=0.02"})
+    BOOST_TEST(text(meant).empty(), meant);
+}
+
 BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
   BOOST_TEST(warnings_with({"ice.thickness=0.5 m"}).empty());  // h/l_c = 0.112
   const auto text = text_of(warnings_with({"ice.youngs_modulus=9 GPa"}), "trained-thickness");
