@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/interruption.hpp"
 #include "ice_sheet_impl.hpp"
 
 namespace brash::geometry {
@@ -60,6 +61,7 @@ std::string add_ring(Input& input, Ring ring, bool is_hole, std::size_t polygon)
 std::string find_crossing(const Input& input) {
   std::string found;
   for (std::size_t i = 0; i < input.edges.size() && found.empty(); ++i) {
+    look_for_interruption();
     const Input::Edge& a = input.edges[i];
     input.index.query(Box::of(a.from, a.to), [&](int j) {
       const Input::Edge& b = input.edges[j];
@@ -83,6 +85,7 @@ std::string fault_alone(const Polygon& polygon, std::size_t i) {
 
 /// Leads an edge through the vertices in whose pixels it comes.
 void Input::route(int from, int to, std::vector<NodedEdge>& noded) const {
+  look_for_interruption();
   const Point a = nodes[from];
   const Point b = nodes[to];
   Ring met;

@@ -8,6 +8,7 @@
 
 #include "axis_moments.hpp"
 #include "brash/core/contract.hpp"
+#include "brash/core/interruption.hpp"
 #include "domains.hpp"
 #include "fem.hpp"
 #include "production_sizes.hpp"
@@ -73,6 +74,7 @@ MovingEdge::~MovingEdge() = default;
 int MovingEdge::n_elements() const { return static_cast<int>(impl_->mesh.triangles.size()); }
 
 tl::expected<MovingEdge, PlateError> MovingEdge::prepare(const EdgeGeometry& outline, const EdgeOptions& options) {
+  look_for_interruption();
   BRASH_EXPECTS(std::isfinite(outline.depth) && outline.contact_length > 0.0, outline.depth, outline.contact_length);
   BRASH_EXPECTS(outline.angle >= 0.0 && outline.angle < std::numbers::pi, outline.angle);
   auto impl = std::make_unique<Impl>();
@@ -98,6 +100,7 @@ tl::expected<MovingEdge, PlateError> MovingEdge::prepare(const EdgeGeometry& out
 }
 
 tl::expected<EdgeResponses, PlateError> MovingEdge::respond(const EdgeGeometry& geometry) const {
+  look_for_interruption();
   BRASH_EXPECTS(geometry.thickness > 0.0 && geometry.mass_ratio > 0.0, geometry.thickness, geometry.mass_ratio);
   const Impl& m = *impl_;
   const Mesh& mesh = geometry.split ? m.split : m.mesh;

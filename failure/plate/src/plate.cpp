@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/interruption.hpp"
 #include "domains.hpp"
 #include "fem.hpp"
 #include "profiles.hpp"
@@ -41,6 +42,7 @@ tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const Mesh
 }
 
 tl::expected<UnitProfiles, PlateError> solve_at_order(const WedgePlate& plate, const MeshOptions& options, int order) {
+  look_for_interruption();
   BRASH_EXPECTS(std::isfinite(plate.depth) && plate.contact_length > 0.0, plate.depth, plate.contact_length);
   BRASH_EXPECTS(plate.angle >= 0.0 && plate.angle < std::numbers::pi, plate.angle);
   BRASH_EXPECTS(plate.thickness > 0.0, plate.thickness);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/interruption.hpp"
 #include "fem.hpp"
 #include "profiles.hpp"
 #include "quadrature.hpp"
@@ -295,6 +296,7 @@ std::vector<SheetPlace> SheetSolution::at_nodes(const std::function<bool(Vec2)>&
 }
 
 tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
+  look_for_interruption();
   BRASH_EXPECTS(sheet.thickness > 0.0, sheet.thickness);
   BRASH_EXPECTS(sheet.poisson_ratio >= 0.0 && sheet.poisson_ratio < 0.5, sheet.poisson_ratio);
   const auto failed = [](const std::string& what) { return tl::unexpected(PlateError{what}); };

@@ -79,6 +79,10 @@ void run_case(const RunOptions& options) {
       throw;
     }
   }();
+  if (!run.complete && run.results.loads.empty()) {
+    if (view) view->end("The run was stopped before its first step.");
+    throw Interrupted(fmt::format("{}: interrupted before a step was done; the same command begins again", directory));
+  }
   if (!run.complete) {
     const double reached = run.results.loads.back().time;
     if (view)

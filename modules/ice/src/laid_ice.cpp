@@ -12,6 +12,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/interruption.hpp"
 
 namespace brash::ice {
 namespace {
@@ -156,6 +157,7 @@ void sort_drifting(std::vector<Polygon> parts, const model::FieldSection& field,
 /// No floe of a file lies on land.
 void expect_afloat(std::span<const GivenFloe> floes, std::span<const Polygon> land, const std::string& file) {
   for (const GivenFloe& floe : floes) {
+    look_for_interruption();
     const IceSheet ice = sheet_of(std::span(&floe.outline, 1));
     for (const Polygon& outline : land)
       for (const Ring& part : geometry::convex_parts(outline))

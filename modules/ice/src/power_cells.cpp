@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/interruption.hpp"
 
 namespace brash::ice {
 namespace {
@@ -178,6 +179,7 @@ std::vector<std::vector<Vec2>> cells_of_areas(const Domain& domain, std::vector<
     BRASH_EXPECTS(n < kMostSteps, misfit.largest);
     const Eigen::VectorXd step = newton_step(sites, cells, misfit);
     for (double share = 1.0;; share *= 0.5) {
+      look_for_interruption();
       BRASH_EXPECTS(share > kShortest, misfit.largest);
       std::vector<Site> tried = sites;
       for (std::size_t i = 0; i < tried.size(); ++i) tried[i].weight += share * step[static_cast<Eigen::Index>(i)];

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "brash/core/constants.hpp"
+#include "brash/core/interruption.hpp"
 #include "convex.hpp"
 
 namespace brash::ice {
@@ -116,6 +117,7 @@ std::vector<geometry::Ring> place_at_random(const Domain& domain, std::span<cons
 
   std::vector<geometry::Ring> rings(areas.size());
   for (const std::size_t i : order) {
+    look_for_interruption();
     geometry::Ring ring = find_place(Regular(areas[i], sides));
     if (ring.empty()) return {};
     rings[i] = ring;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brash/core/interruption.hpp"
 #include "convex_part.hpp"
 
 namespace brash::rigid_body {
@@ -160,6 +161,7 @@ double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double
   Sweep last{.largest = std::numeric_limits<double>::infinity(), .change = 0.0};
   double momentum = 0.0;
   for (int i = 0; i < iterations && last.largest > still; ++i) {
+    look_for_interruption();
     Sweep sweep{.momentum = momentum};
     for (std::size_t k = 0; k <= order_.n(); ++k) strips_[k].sweep = sweep;
     workers.each(bodies_.size(), kBodies,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "brash/core/interruption.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
 #include "initial_crack.hpp"
@@ -200,6 +201,7 @@ bool crush_passed_ice(State& s, const Laws& laws, double time, Step& step) {
 void break_ice(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step) {
   for (const EdgeContact& contact : contacts) {
     if (!contact.assessment.fails || has_broken(step, contact)) continue;
+    look_for_interruption();
     model::CrackEvent event = event_of(s, laws, contact);
     Break made = break_off(s, laws, contact, step);
     event.wedges = made.n_wedges;

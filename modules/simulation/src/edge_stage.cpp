@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "brash/core/error.hpp"
+#include "brash/core/interruption.hpp"
 #include "local_ice.hpp"
 #include "stages.hpp"
 
@@ -169,6 +170,7 @@ void judge(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, doubl
     for (EdgeContact& contact : here)
       if (const auto life = s.edges.life(contact)) contact.edge_age = life->age;
     s.verdicts.recall(now, here);
+    look_for_interruption();
     assess(edge_model(s, laws, plate), plate.sheet(), here, motion_of, share_out);
   });
   for (const EdgeContact& contact : contacts) count_range(contact.assessment, step.report);

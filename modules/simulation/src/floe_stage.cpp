@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brash/core/interruption.hpp"
 #include "brash/simulation/scales.hpp"
 #include "laid_floes.hpp"
 #include "stages.hpp"
@@ -140,7 +141,10 @@ void remove_crushed_floes(State& s, const Laws& laws, Step& step) {
 void split_floes(State& s, const Laws& laws, Step& step) {
   if (laws.resolved.failure.pieces == model::Pieces::kWhole) return;
   const StageTimer::Scope clock(step.timer, step.report.times.cutting);
-  for (const Fracture& fracture : s.bending.fractures(s.floes)) split(s, laws, fracture, step.report);
+  for (const Fracture& fracture : s.bending.fractures(s.floes)) {
+    look_for_interruption();
+    split(s, laws, fracture, step.report);
+  }
 }
 
 }  // namespace brash::simulation

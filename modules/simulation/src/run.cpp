@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
+#include "brash/core/interruption.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/simulation/warnings.hpp"
@@ -82,6 +83,36 @@ class Recorder {
 
 using Clock = std::chrono::steady_clock;
 
+/// Asks a few times a second whether the run is to end, in the middle of a step too: one step may take minutes.
+class Watch {
+ public:
+  explicit Watch(const RunOptions& options) : options_(options) {}
+
+  /// Asks while it lives. What runs then may throw Interruption.
+  class Scope {
+   public:
+    explicit Scope(Watch& watch) { current_ = &watch; }
+
+   private:
+    CheckedForInterruption checked_{&Watch::look};
+  };
+
+ private:
+  static void look() {
+    constexpr std::chrono::milliseconds kBetween{100};
+    Watch& watch = *current_;
+    const Clock::time_point now = Clock::now();
+    if (now - watch.looked_ < kBetween) return;
+    watch.looked_ = now;
+    if (watch.options_.interrupted && watch.options_.interrupted()) throw Interruption{};
+  }
+
+  static inline thread_local Watch* current_ = nullptr;
+
+  const RunOptions& options_;
+  Clock::time_point looked_ = Clock::now();
+};
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The counts of a run that its results do not hold.
@@ -118,6 +149,8 @@ struct Progress {
   Clock::time_point begun = Clock::now();
   std::optional<model::Checkpoint> known{};  ///< a state of some steps ago, without results
   std::int64_t known_steps = 0;              ///< done in that state
+  Clock::time_point known_since{};
+  double known_cost = 0.0;  ///< time that it took to keep
 };
 
 constexpr const char* kWarnings = "warnings";  ///< the table of a checkpoint
@@ -133,8 +166,11 @@ std::vector<model::Warning> warnings_in(const model::Checkpoint& checkpoint) {
   return warnings;
 }
 
-/// So many steps at most are made again to find the state before one that failed.
+/// So many steps at most are made again to find the state before one that failed or was interrupted.
 constexpr std::int64_t kStepsAgain = 100;
+/// And so many seconds of them, unless states take more than this share of the time.
+constexpr double kSecondsAgain = 1.0;
+constexpr double kKnownShare = 0.01;
 
 Progress begin(const model::Case& resolved, const RunOptions& options) {
   std::optional<model::Checkpoint> saved = options.checkpoint.newest ? options.checkpoint.newest() : std::nullopt;
@@ -154,6 +190,15 @@ Progress begin(const model::Case& resolved, const RunOptions& options) {
     throw InputError(Complaint{options.checkpoint.name, std::string("holds no state of a run: ") + error.what(),
                                "a checkpoint that this version of the program wrote",
                                "use an older checkpoint, or start the run again"});
+  }
+}
+
+std::optional<Progress> begin_unless_interrupted(const model::Case& resolved, const RunOptions& options, Watch& watch) {
+  try {
+    const Watch::Scope watched(watch);
+    return begin(resolved, options);
+  } catch (const Interruption&) {
+    return std::nullopt;
   }
 }
 
@@ -186,15 +231,33 @@ void count(RunSummary& counts, const StepReport& report, Vec2 current) {
   counts.n_unsettled_steps += report.last_change > settled_residual(report.loads.velocity, current) ? 1 : 0;
 }
 
-/// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
-/// it to the bit. @return the line about it for the error message.
+/// Keeps a state every now and then, from which the next ones can be made again.
+void know_state(Progress& progress, std::int64_t n_steps) {
+  const double age = seconds_since(progress.known_since);
+  const bool is_old =
+      n_steps - progress.known_steps >= kStepsAgain || (age > kSecondsAgain && age * kKnownShare > progress.known_cost);
+  if (progress.known && !is_old) return;
+  const Clock::time_point start = Clock::now();
+  progress.known = progress.simulation.checkpoint();
+  progress.known_steps = n_steps;
+  progress.known_since = Clock::now();
+  progress.known_cost = seconds_since(start);
+}
+
+/// The state after `n_steps`: the steps since one that is known, made again, lead to it to the bit.
+Simulation made_again(const model::Case& resolved, const RunOptions& options, const Progress& progress,
+                      std::int64_t n_steps) {
+  Simulation again(resolved, progress.known.value(), options.threads);
+  for (std::int64_t n = progress.known_steps; n < n_steps; ++n) static_cast<void>(again.step());
+  return again;
+}
+
+/// Keeps the state after `n_steps`, before a step that failed. @return the line about it for the error message.
 std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
   if (!options.checkpoint.keep) return {};
   try {
-    Simulation again(resolved, progress.known.value(), options.threads);
-    for (std::int64_t n = progress.known_steps; n < n_steps; ++n) static_cast<void>(again.step());
-    keep_checkpoint(options.checkpoint, again.checkpoint(), progress);
+    keep_checkpoint(options.checkpoint, made_again(resolved, options, progress, n_steps).checkpoint(), progress);
   } catch (const std::exception& error) {
     return fmt::format("\n  the state before it could not be kept: {}", error.what());
   }
@@ -202,16 +265,19 @@ std::string keep_reproducer(const model::Case& resolved, const RunOptions& optio
          ": --resume repeats the failure, for a closer look";
 }
 
-/// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
-StepReport step(const model::Case& resolved, const RunOptions& options, Progress& progress) {
+/// One step; nothing when it is interrupted, with the state before it. A step that fails leaves nothing that could pass
+/// for a result, and the state before it, which repeats it.
+std::optional<StepReport> step(const model::Case& resolved, const RunOptions& options, Progress& progress,
+                               Watch& watch) {
   const double from = progress.simulation.time();
   const std::int64_t n_steps = std::llround(from / resolved.time.step);
-  if (!progress.known || n_steps - progress.known_steps >= kStepsAgain) {
-    progress.known = progress.simulation.checkpoint();
-    progress.known_steps = n_steps;
-  }
+  know_state(progress, n_steps);
   try {
+    const Watch::Scope watched(watch);
     return progress.simulation.step();
+  } catch (const Interruption&) {
+    progress.simulation = made_again(resolved, options, progress, n_steps);
+    return std::nullopt;
   } catch (const std::bad_alloc&) {
     throw;  // the step is not at fault
   } catch (const std::exception& error) {
@@ -224,18 +290,20 @@ StepReport step(const model::Case& resolved, const RunOptions& options, Progress
 }
 
 /// Steps until the end or an interruption. @return whether the end was reached.
-bool advance(const model::Case& resolved, const RunOptions& options, Progress& progress) {
+bool advance(const model::Case& resolved, const RunOptions& options, Progress& progress, Watch& watch) {
   const double dt = resolved.time.step;
   const auto n_steps = std::llround(resolved.time.duration / dt);
   const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / dt);
   for (auto done = std::llround(progress.simulation.time() / dt); done < n_steps;) {
-    const StepReport report = step(resolved, options, progress);
-    ++done;
+    const std::optional<StepReport> report = step(resolved, options, progress, watch);
     const StageTimer::Scope clock(progress.timer, progress.recording_seconds);
-    progress.recorder.record(progress.simulation, report);
-    count(progress.counts.summary, report, resolved.water.current);
-    if (options.observer) options.observer(progress.simulation, report);
-    const bool interrupted = options.interrupted && options.interrupted();
+    if (report) {
+      ++done;
+      progress.recorder.record(progress.simulation, *report);
+      count(progress.counts.summary, *report, resolved.water.current);
+      if (options.observer) options.observer(progress.simulation, *report);
+    }
+    const bool interrupted = !report || (options.interrupted && options.interrupted());
     const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);
     if (options.checkpoint.keep && (due || interrupted)) {
       const Clock::time_point start = Clock::now();
@@ -264,11 +332,14 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   Run finished;
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const Clock::time_point start = Clock::now();
-  Progress progress = begin(resolved, options);
+  Watch watch(options);
+  std::optional<Progress> begun = begin_unless_interrupted(resolved, options, watch);
+  if (!begun) return finished;
+  Progress& progress = *begun;
   finished.resumed_from = progress.simulation.time();
   const double water = open_water(resolved);
   if (options.begun) options.begun();
-  finished.complete = advance(resolved, options, progress);
+  finished.complete = advance(resolved, options, progress, watch);
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {

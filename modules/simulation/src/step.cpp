@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One time step, as Sections 2.1 and 2.2 of the paper have it. docs/theory/simulation.md
+#include "brash/core/interruption.hpp"
 #include "brash/structure/attitude.hpp"
 #include "load_axes.hpp"
 #include "stages.hpp"
@@ -14,6 +15,7 @@ void advance_through_ice(State& s, const Laws& laws, Step& step) {
   s.sheets.begin_step();
   int n_parts = 0;
   for (double done = 0.0, share = 1.0; done < 1.0; ++n_parts, share = 1.0 - done) {
+    look_for_interruption();
     std::vector<EdgeContact> contacts = move_within_limits(s, laws, done, share, step);
     crush_edges(s, laws, contacts, done, share, step);
     done += share;
@@ -36,6 +38,7 @@ void load_by_water(State& s, const Laws& laws, Step& step) {
 }
 
 void step_bodies(State& s, const Laws& laws, Step& step) {
+  look_for_interruption();
   const StageTimer::Scope clock(step.timer, step.report.times.world);
   hand_over_sheets(s, laws);
   s.world.step(laws.resolved.time.step);
@@ -89,6 +92,7 @@ void report_motion(const State& s, model::LoadRow& row) {
 /// @return the whole load, sheet axes.
 Wrench collect_loads(State& s, const Laws& laws, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.loads);
+  look_for_interruption();
   const auto [normal, friction] = floe_loads(s, step);
   Wrench total = step.crushing;
   total += normal;

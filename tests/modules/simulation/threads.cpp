@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brash/core/sha256.hpp"
@@ -74,6 +75,38 @@ BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_with_another_number_of_threads_to_the_
   for (const auto& [first, second] : {std::pair{1, 3}, {8, 2}})
     BOOST_TEST(hashes(resolved, run_in_two(resolved, first, second, 333)) == expected,
                boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_interrupted_inside_a_step_goes_on_from_before_it_to_the_same_bytes) {
+  const model::Case resolved = short_case();
+  std::optional<model::Checkpoint> kept;
+  const simulation::CheckpointStore store{
+      .name = "memory", .keep = [&](const model::Checkpoint& c) { kept = c; }, .newest = [&] { return kept; }};
+  std::size_t n_steps = 0, asked_after = 0;
+  const simulation::Run stopped = simulation::run(
+      resolved, {.observer = [&](const auto&, const auto&) { ++n_steps; },
+                 .checkpoint = store,
+                 .interrupted =
+                     [&] {  // the first question after a step comes between two steps, each further one inside the next
+                       return std::exchange(asked_after, n_steps) == n_steps && n_steps > 0;
+                     },
+                 .threads = 2});
+  BOOST_TEST(!stopped.complete);
+  BOOST_TEST_REQUIRE(kept.has_value());
+  BOOST_TEST(kept->results.loads.size() == n_steps);
+  BOOST_TEST(
+      hashes(resolved, simulation::run(resolved, {.checkpoint = store})) == hashes(resolved, simulation::run(resolved)),
+      boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_run_is_interrupted_while_its_ice_is_laid) {
+  const model::Case resolved =
+      io::read_case(BRASH_SOURCE_DIR "/experiments/fields/cone.toml", {"field.size.least=0.5", "field.size.largest=2"});
+  bool began = false;
+  const simulation::Run stopped =
+      simulation::run(resolved, {.begun = [&] { began = true; }, .interrupted = [] { return true; }});
+  BOOST_TEST(!stopped.complete);
+  BOOST_TEST(!began);
 }
 
 }  // namespace

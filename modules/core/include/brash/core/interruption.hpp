@@ -3,6 +3,9 @@
 
 namespace brash {
 
+/// Thrown by a check that wants a computation to end. It is no std::exception, so that nothing takes it for a failure.
+struct Interruption {};
+
 /// A check that long computations of this thread call now and then; it throws when whoever waits wants them to end.
 using InterruptionCheck = void (*)();
 inline thread_local InterruptionCheck interruption_check = nullptr;

@@ -106,7 +106,7 @@ struct Run {
   int threads = 1;            ///< that worked at it
   double resumed_from = 0.0;  ///< simulated time that an earlier run had reached [s]; the times above are without it
   std::string started_at;     ///< ISO 8601, UTC
-  bool complete = false;      ///< false: interrupted; there are results so far, and no summary
+  bool complete = false;      ///< false: interrupted; there are results so far, if it began, and no summary
 };
 
 /// Where a run keeps its newest state, and takes it up again. Without functions it keeps nothing and starts at 0 s.
@@ -127,7 +127,7 @@ struct RunOptions {
   std::function<void(const Simulation&, const StepReport&)> observer{};
   /// Takes a checkpoint every `output.checkpoint_interval`.
   CheckpointStore checkpoint{};
-  /// Asked after every step; when true the run keeps a checkpoint and stops.
+  /// Asked after every step and inside long ones; when true the run keeps a checkpoint and stops.
   std::function<bool()> interrupted{};
   /// Threads that share out the loops over floes and contacts, >= 1. Results do not depend on their number.
   int threads = 1;
