@@ -8,7 +8,7 @@
 
 namespace brash::campaign {
 
-/// Why a done case is not what its campaign made; empty: it is. Its manifest has to name this case and replicate, and
+/// Why a done case is not as its campaign made it; empty: it is. Its manifest has to name this case and replicate, and
 /// the results have to have the hashes of the manifest.
 /// @param expected  the case as results record it.
 std::string why_unfit(const std::filesystem::path& case_folder, const model::Case& expected);

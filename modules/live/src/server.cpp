@@ -72,7 +72,7 @@ std::size_t event_after(std::string_view last) {
 
 }  // namespace
 
-/// What clients share. The thread of the server and the caller both use it.
+/// The state that clients share. The thread of the server and the caller both use it.
 struct View {
   std::string page;
   Limits limits;

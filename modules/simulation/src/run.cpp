@@ -88,7 +88,7 @@ class Watch {
  public:
   explicit Watch(const RunOptions& options) : options_(options) {}
 
-  /// Asks while it lives. What runs then may throw Interruption.
+  /// Asks while it lives, and throws Interruption out of the work that it interrupts.
   class Scope {
    public:
     explicit Scope(Watch& watch) { current_ = &watch; }
