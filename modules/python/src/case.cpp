@@ -183,6 +183,11 @@ void add_case(py::module_& m) {
           "copy", [](const Case& c) { return c; }, "An independent case with the same keys.")
       .def("__copy__", [](const Case& c) { return c; })
       .def("__deepcopy__", [](const Case& c, const py::dict&) { return c; })
+      .def(py::pickle([](const Case& c) { return py::make_tuple(c.text, c.path, c.has_file, c.overrides); },
+                      [](const py::tuple& state) {
+                        return read(state[0].cast<std::string>(), state[1].cast<std::string>(), state[2].cast<bool>(),
+                                    state[3].cast<std::vector<std::string>>());
+                      }))
       .def(
           "__eq__", [](const Case& a, const Case& b) { return a.resolved == b.resolved; }, py::is_operator())
       .def_property_readonly(

@@ -49,14 +49,12 @@ void expect_no_mask(py::handle value, const char* name) {
 
 Array numbers(py::handle value, const char* name) {
   expect_no_mask(value, name);
-  const py::array as_given = py::array::ensure(value);
+  const auto as_given = ensured<py::array>(value);
   if (as_given) expect_real(as_given, name);
-  Array array = Array::ensure(value);
-  if (!array) {
-    PyErr_Clear();
+  auto array = ensured<Array>(value);
+  if (!array)
     throw InputError(fmt::format("{}: an array of numbers is expected, not {}", name,
                                  std::string(py::str(py::type::handle_of(value).attr("__name__")))));
-  }
   return array;
 }
 

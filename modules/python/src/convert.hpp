@@ -27,6 +27,18 @@ std::string shape_text(const py::array& array);
 /// @throws InputError naming the argument `name` when a value of a numpy.ma array is masked: its number means nothing.
 void expect_no_mask(py::handle value, const char* name);
 
+/// The value as such an array, copied or cast where needed; a null one when it is none.
+/// @throws py::error_already_set when there is no memory for it: `ensure()` hides that.
+template <typename Any>
+Any ensured(py::handle value) {
+  try {
+    return Any(py::reinterpret_borrow<py::object>(value));
+  } catch (const py::error_already_set& error) {
+    if (error.matches(PyExc_MemoryError) || !error.matches(PyExc_Exception)) throw;
+    return py::reinterpret_steal<Any>(py::handle());
+  }
+}
+
 /// Any array of real numbers without masked values, copied or cast where needed. Dates, durations and texts are none.
 /// @throws InputError naming the argument `name`.
 Array numbers(py::handle value, const char* name);

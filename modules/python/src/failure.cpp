@@ -27,13 +27,17 @@ struct Allowed {
   const char* name;
   double least;
   bool open;
-  double below;  ///< upper end, left out
+  double most;
+  bool closed = false;  ///< the upper end is allowed
+
+  bool contains(double v) const { return (open ? v > least : v >= least) && (closed ? v <= most : v < most); }
 };
 
 constexpr double kAny = 1e300;
 constexpr Allowed kDepth{"b_lc", -5.0, false, kAny};
 constexpr Allowed kAngle{"theta", 0.0, false, kPi};
 constexpr Allowed kMu1{"mu1", 0.0, true, kAny};
+constexpr double kFastest = 50.0;  // as structure.speed [m/s]
 constexpr Allowed kMu2{"mu2", -kAny, true, kAny};
 
 /// Arguments of one vectorised call, broadcast against each other; every value checked.
@@ -54,7 +58,7 @@ class Columns {
       throw InputError("the shapes cannot be broadcast together: " + shapes);
     }
     std::size_t i = 0;
-    for (const py::handle array : broadcast) columns_[i++] = Array::ensure(array);
+    for (const py::handle array : broadcast) columns_[i++] = ensured<Array>(array);
     for (i = 0; i < n; ++i) expect(span_of(columns_[i]), allowed[i]);
   }
 
@@ -70,10 +74,11 @@ class Columns {
   static void expect(std::span<const double> values, const Allowed& a) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double v = values[i];
-      if ((a.open ? v > a.least : v >= a.least) && v < a.below) continue;
-      throw InputError(fmt::format(
-          "{}: value {} (number {}) is not allowed; must be {} {}{}{}", a.name, v, i, a.open ? ">" : ">=", a.least,
-          a.below < kAny ? fmt::format(" and < {}", a.below) : "", std::isfinite(v) ? "" : ", finite"));
+      if (a.contains(v)) continue;
+      throw InputError(fmt::format("{}: value {} (number {}) is not allowed; must be {} {}{}{}", a.name, v, i,
+                                   a.open ? ">" : ">=", a.least,
+                                   a.most < kAny ? fmt::format(" and {} {}", a.closed ? "<=" : "<", a.most) : "",
+                                   std::isfinite(v) ? "" : ", finite"));
     }
   }
 
@@ -142,9 +147,9 @@ py::object assess(const failure::BendingCriterion& criterion, const py::object& 
 
 py::object load_ratios(const py::object& type, const py::object& slope, const py::object& friction,
                        const py::object& heading) {
-  const Columns<3> x({slope, friction, heading}, {Allowed{"slope", 0.0, true, std::nextafter(kPi / 2, 4.0)},
-                                                  {"friction", 0.0, false, kAny},
-                                                  {"heading", -kAny, true, kAny}});
+  const Columns<3> x(
+      {slope, friction, heading},
+      {Allowed{"slope", 0.0, true, kPi / 2, true}, {"friction", 0.0, false, kAny}, {"heading", -kAny, true, kAny}});
   auto horizontal = x.like<double>(), mu1 = x.like<double>(), mu2 = x.like<double>();
   for (std::size_t i = 0; i < x.size(); ++i) {
     const failure::LoadRatios y = failure::load_ratios(x.at(0, i), x.at(1, i), x.at(2, i));
@@ -274,7 +279,7 @@ class MovingEdge {
     const Columns<5> x({b_lc, c_lc, theta, speed, ratio}, {kDepth,
                                                            {"c_lc", 0.0, true, kAny},
                                                            {"theta", 0.0, false, kPi},
-                                                           {"speed", 0.0, false, kAny},
+                                                           {"speed", 0.0, false, kFastest, true},
                                                            {"mu1", 0.0, true, kAny}});
     auto load = x.like<double>(), time = x.like<double>(), give = x.like<double>(), length = x.like<double>();
     auto radial = x.like<bool>(), in_range = x.like<bool>();

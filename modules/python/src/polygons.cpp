@@ -52,8 +52,7 @@ std::optional<std::vector<Polygon>> polygons_of(py::handle value, const char* na
   }
   if (py::isinstance<py::dict>(value))
     return from_text(py::module_::import("json").attr("dumps")(value).cast<std::string>(), name);
-  const Array array = Array::ensure(value);
-  PyErr_Clear();
+  const auto array = ensured<Array>(value);
   if (!array || array.ndim() != 2 || array.shape(1) != 2) return std::nullopt;
   return std::vector{Polygon{geometry::ring(points(value, name)), {}}};  // as it was given: masks and kinds are refused
 }

@@ -23,8 +23,6 @@ constexpr double kExactJonckheere = 5000.0;  // pairs of different groups of all
 
 double two_sided_normal(double z) { return std::min(1.0, 2.0 * gsl_cdf_ugaussian_Q(std::abs(z))); }
 
-int sign(double x) { return (x > 0.0) - (x < 0.0); }
-
 /// Sums over the groups of equal values with t members each.
 struct Ties {
   double pairs = 0.0;     ///< sum t (t - 1)
@@ -62,13 +60,52 @@ struct Concordance {
   }
 };
 
+/// How many ranks were added so far, up to each: a Fenwick tree.
+class RankCounts {
+ public:
+  explicit RankCounts(std::size_t n_ranks) : sums_(n_ranks + 1, 0) {}
+  void add(std::size_t rank) {
+    for (std::size_t i = rank + 1; i < sums_.size(); i += i & (~i + 1)) ++sums_[i];
+  }
+  /// Of ranks below `rank`.
+  std::int64_t below(std::size_t rank) const {
+    std::int64_t sum = 0;
+    for (std::size_t i = rank; i > 0; i &= i - 1) sum += sums_[i];
+    return sum;
+  }
+
+ private:
+  std::vector<std::int64_t> sums_;
+};
+
+/// The place of each value among the different values, from 0 on.
+std::vector<std::size_t> ranks(std::span<const double> values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::ranges::sort(sorted);
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<std::size_t> result;
+  for (const double value : values)
+    result.push_back(static_cast<std::size_t>(std::ranges::lower_bound(sorted, value) - sorted.begin()));
+  return result;
+}
+
+/// Each value is compared with all of a smaller x at once, so that long samples take n log n.
 Concordance concordance(std::span<const double> x, std::span<const double> y) {
   BRASH_EXPECTS(x.size() == y.size() && x.size() >= 2, x.size(), y.size());
   BRASH_EXPECTS(all_finite(x) && all_finite(y));
+  const std::vector<std::size_t> rank = ranks(y);
+  std::vector<std::size_t> by_x(x.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+  std::ranges::stable_sort(by_x, {}, [&](std::size_t i) { return x[i]; });
+  RankCounts counts(x.size());
   std::int64_t score = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) {
+  for (std::size_t first = 0, last = 0; first < by_x.size(); first = last) {
     look_for_interruption();
-    for (std::size_t j = 0; j < i; ++j) score += sign(x[i] - x[j]) * sign(y[i] - y[j]);
+    for (; last < by_x.size() && x[by_x[last]] == x[by_x[first]]; ++last) {
+      const std::size_t r = rank[by_x[last]];
+      score += counts.below(r) - (static_cast<std::int64_t>(first) - counts.below(r + 1));
+    }
+    for (std::size_t i = first; i < last; ++i) counts.add(rank[by_x[i]]);
   }
   return {static_cast<double>(x.size()), static_cast<double>(score), ties(x), ties(y)};
 }
@@ -308,21 +345,22 @@ TestResult kolmogorov_smirnov(std::span<const double> a, std::span<const double>
     while (j < n && y[static_cast<std::size_t>(j)] == value) ++j;
     largest = std::max(largest, std::abs(i * n - j * m));
   }
-  // Chance that a random order of m and n values never comes that far: over the lattice of (i, j).
+  if (largest == 0) return {0.0, 1.0};
+  // Chance that a random order of m and n values never comes that far: over the band of the lattice of (i, j) that is
+  // nearer to the diagonal. Left of the band there is none.
   std::vector<double> inside(static_cast<std::size_t>(n) + 1, 0.0);
+  inside[0] = 1.0;
   for (std::int64_t row = 0; row <= m; ++row) {
     look_for_interruption();
-    for (std::int64_t column = 0; column <= n; ++column) {
+    const std::int64_t first = row * n < largest ? 0 : (row * n - largest) / m + 1;
+    const std::int64_t last = std::min(n, (row * n + largest - 1) / m);
+    if (first > 0) inside[static_cast<std::size_t>(first) - 1] = 0.0;
+    for (std::int64_t column = first; column <= last; ++column) {
+      if (row + column == 0) continue;
       const auto k = static_cast<std::size_t>(column);
       const double steps = static_cast<double>(row + column);
-      if (row + column == 0) {
-        inside[0] = 1.0;
-      } else if (std::abs(row * n - column * m) >= largest) {
-        inside[k] = 0.0;
-      } else {
-        inside[k] *= static_cast<double>(row) / steps;
-        if (column > 0) inside[k] += inside[k - 1] * static_cast<double>(column) / steps;
-      }
+      inside[k] *= static_cast<double>(row) / steps;
+      if (column > 0) inside[k] += inside[k - 1] * static_cast<double>(column) / steps;
     }
   }
   return {static_cast<double>(largest) / static_cast<double>(m * n), std::clamp(1.0 - inside.back(), 0.0, 1.0)};
@@ -332,10 +370,13 @@ TestResult mann_whitney(std::span<const double> a, std::span<const double> b) {
   BRASH_EXPECTS(!a.empty() && !b.empty(), a.size(), b.size());
   BRASH_EXPECTS(all_finite(a) && all_finite(b));
   quiet_gsl();
+  std::vector<double> sorted(b.begin(), b.end());
+  std::ranges::sort(sorted);
   double u = 0.0;
   for (const double x : a) {
     look_for_interruption();
-    for (const double y : b) u += 0.5 * (1 + sign(x - y));
+    const auto equal = std::ranges::equal_range(sorted, x);
+    u += static_cast<double>(equal.begin() - sorted.begin()) + 0.5 * static_cast<double>(equal.size());
   }
   std::vector<double> all(a.begin(), a.end());
   all.insert(all.end(), b.begin(), b.end());

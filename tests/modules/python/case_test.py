@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cases are read, changed and checked as the command does it."""
 import copy
+import multiprocessing
 import os
 import pathlib
+import pickle
 import re
 import subprocess
 import tempfile
@@ -15,6 +17,10 @@ import brash
 CONE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"]) / "experiments/validation/cone.toml"
 
 
+def length_of(case):
+    return brash.characteristic_length(case)
+
+
 class Cases(unittest.TestCase):
     def setUp(self):
         self.case = brash.Case.from_file(CONE)
@@ -24,6 +30,17 @@ class Cases(unittest.TestCase):
         self.assertEqual(self.case["ice.thickness"], 0.33)
         self.assertEqual(self.case["ice.flexural_strength"], 539e3)
         self.assertEqual(self.case["failure.wedges"], [3, 5])
+
+    def test_a_case_is_pickled_and_goes_to_other_processes(self):
+        self.case["ice.thickness"] = 0.4
+        again = pickle.loads(pickle.dumps(self.case))
+        self.assertEqual(again, self.case)
+        again["ice.thickness"] = 0.5  # from its file, with its other changes
+        self.assertEqual((again["ice.thickness"], self.case["ice.thickness"], again.name), (0.5, 0.4, "cone"))
+        text = brash.Case.from_text(self.case.to_toml(), "text")
+        self.assertEqual(pickle.loads(pickle.dumps(text)), text)
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            self.assertEqual(pool.map(length_of, [self.case]), [brash.characteristic_length(self.case)])
 
     def test_the_mesh_of_the_structure_is_closed_and_as_high_as_the_case_says(self):
         vertices, triangles = self.case.mesh()

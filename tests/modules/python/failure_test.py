@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import unittest
 
 import numpy as np
@@ -38,6 +39,22 @@ class Models(unittest.TestCase):
     def test_an_input_outside_the_range_is_told(self):
         got = brash.FailureModel("network")(**{**ROW, "mu1": [0.5, 50]})
         self.assertEqual(got.in_range.tolist(), [True, False])
+
+    def test_a_failed_allocation_raises_and_the_interpreter_lives_on(self):
+        code = ("import resource, numpy as np, brash\n"
+                "wide = np.broadcast_to(1.0, 10**9)  # a view without memory of its own\n"
+                "model = brash.FailureModel()\n"
+                "resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))\n"
+                "long = np.full((30_000, 1), 0.2)\n"
+                "for call in (lambda: model(b_lc=long, c_lc=long.T, theta=1.0, mu1=0.5, mu2=0.1),\n"
+                "             lambda: model(b_lc=0.2, c_lc=wide, theta=1.0, mu1=0.5, mu2=0.1),\n"
+                "             lambda: brash.moments(wide), lambda: brash.Polygon(np.broadcast_to(1.0, (10**9, 2)))):\n"
+                "    try:\n"
+                "        call()\n"
+                "    except MemoryError:\n"
+                "        print('MemoryError')\n")
+        done = subprocess.run([sys.executable, "-c", code], text=True, capture_output=True)
+        self.assertEqual((done.returncode, done.stdout.split()), (0, ["MemoryError"] * 4), done.stderr)
 
     def test_bad_inputs_are_refused(self):
         model = brash.FailureModel("superposition")
@@ -200,6 +217,16 @@ class MovingEdges(unittest.TestCase):
         self.assertTrue((bay.breaking_length > straight.breaking_length).all())
         self.assertTrue(bay.in_range.all())
         self.assertFalse(brash.MovingEdge(case)(b_lc=-0.4, **edge).in_range.any())
+
+    def test_a_speed_beyond_that_of_any_case_is_refused_by_its_name(self):
+        edge = brash.MovingEdge(brash.Case.from_file(CONE))
+        for speed in (1e9, 50.1, np.inf, -1.0):
+            with self.subTest(speed), self.assertRaisesRegex(ValueError, "^speed: value .* must be >= 0 and <= 50"):
+                edge(b_lc=0.0, c_lc=0.3, theta=0.0, speed=[1.0, speed])
+        self.assertTrue(np.isfinite(edge(b_lc=0.0, c_lc=0.3, theta=0.0, speed=[0.01, 50.0]).load).all())
+        slow = edge(b_lc=0.0, c_lc=0.3, theta=0.0, speed=[0.0, 1e-6, 1e-3])  # without end, step by step
+        np.testing.assert_allclose(slow.load, slow.load[0], rtol=1e-4)
+        np.testing.assert_allclose(slow.time[1], 1e3 * slow.time[2], rtol=1e-4)
 
     def test_inputs_outside_the_range_are_told_and_impossible_ones_refused(self):
         edge = brash.MovingEdge(brash.Case.from_file(CONE))

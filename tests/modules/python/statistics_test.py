@@ -73,6 +73,15 @@ class Statistics(unittest.TestCase):
         self.assertAlmostEqual(brash.compare_means(X[:50], X[:50] - 1).difference, 1)
         self.assertEqual(brash.compare_means(brash.summarise(X, 1), brash.summarise(X, 1)).difference, 0)
 
+    def test_ranks_are_compared_in_n_log_n(self):
+        whole = np.random.default_rng(1).integers(0, 40, (2, 300)).astype(float)  # with ties
+        score = sum(np.sign(whole[0] - x) @ np.sign(whole[1] - y) for x, y in whole.T) / 2
+        pairs = [(n * (n - 1) - sum(t * (t - 1) for t in np.unique(side, return_counts=True)[1])) for side in whole for n in (300,)]
+        self.assertAlmostEqual(brash.kendall(*whole).statistic, 2 * score / np.sqrt(pairs[0] * pairs[1]), 12)
+        many = np.random.default_rng(2).normal(size=1_000_000)  # all pairs would take an hour
+        self.assertTrue(abs(brash.kendall(many[:500_000], many[500_000:]).statistic) < 0.01)
+        self.assertLess(brash.mann_whitney(many[:500_000], many[500_000:] + 0.1).p_value, 1e-9)
+
     def test_an_exception_in_the_statistic_comes_through(self):
         with self.assertRaises(ZeroDivisionError):
             brash.bootstrap_interval([1, 2, 3], lambda x: 1 / 0)
