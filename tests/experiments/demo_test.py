@@ -42,6 +42,14 @@ class Demo(unittest.TestCase):
         self.assertEqual(row[3], "below" if percent < 0.0 else "above")
         self.assertIn("weak evidence", row[4])
 
+    def test_each_mean_of_the_table_has_its_number_of_independent_samples_beside_it(self):
+        table, summary = self.table("time.duration=1", "output.statistics_from=0.5")
+        for load in ("horizontal", "vertical"):
+            mean, samples = (summary[load][key] for key in ("mean", "effective_sample_size"))
+            self.assertRegex(table, rf"  {load} +{mean / 1e3:.1f}  \[no interval\] +{samples:.1f} ")
+        few = summary["horizontal"]["effective_sample_size"] < 10
+        self.assertEqual("few-samples: the load has " in table, few)
+
     def test_a_run_without_statistics_is_compared_with_nothing(self):
         table, _ = self.table("time.duration=0.3")
         self.assertNotIn("measured mean", table)

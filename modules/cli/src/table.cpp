@@ -28,10 +28,10 @@ std::string load_row(const simulation::RunSummary& run, const char* name, const 
       !simulation::bears_interval(run, s)
           ? "[no interval]"
           : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / unit.one, s.mean_95.upper / unit.one);
-  return fmt::format("  {:<11}{:>8.1f}  {}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
-                     s.mean / unit.one, interval, s.standard_deviation / unit.one, s.quantile_99 / unit.one,
-                     s.maximum / unit.one, split.crushing / unit.one, split.floe_normal / unit.one,
-                     split.floe_friction / unit.one);
+  return fmt::format("  {:<11}{:>8.1f}  {:<16}{:>8.1f}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
+                     s.mean / unit.one, interval, s.effective_sample_size, s.standard_deviation / unit.one,
+                     s.quantile_99 / unit.one, s.maximum / unit.one, split.crushing / unit.one,
+                     split.floe_normal / unit.one, split.floe_friction / unit.one);
 }
 
 std::string loads(const simulation::RunSummary& s) {
@@ -49,7 +49,7 @@ std::string loads(const simulation::RunSummary& s) {
   std::string text = fmt::format(
       "loads on the structure [{}], from t = {:.2f} s on, up to {:.2f} s\n  begins when {}\n  ends when {}\n",
       unit.name, s.window.from, s.window.until, s.window.begins, s.window.ends);
-  text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
+  text += "                 mean  95 % interval    samples     dev.     99 %       max   crushing  contact  friction\n";
   text += load_row(s, "horizontal", s.horizontal, s.horizontal_split, unit);
   text += load_row(s, "vertical", s.vertical, s.vertical_split, unit);
   if (!s.horizontal.long_enough && simulation::bears_interval(s, s.horizontal))
