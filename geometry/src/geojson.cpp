@@ -343,18 +343,11 @@ std::string to_geojson(std::span<const Feature> features) {
   return map_to_geojson(Map{{features.begin(), features.end()}, {}, {}, false});
 }
 
-tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text, const Origin& origin) {
-  const tl::expected<JsonNode, GeometryError> root = parse_json(text);
-  if (!root) return tl::unexpected(root.error());
-  return Reader(text, *root, {origin}).features();
-}
-
-tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin) {
-  const tl::expected<JsonNode, GeometryError> root = parse_json(text);
-  if (!root) return tl::unexpected(root.error());
-  auto lines = Reader(text, *root, {origin}).lines();
-  if (!lines) return tl::unexpected(std::move(lines).error());
-  return std::move(lines->cracks);
+std::vector<Polygon> polygons_of(std::span<const Feature> features) {
+  std::vector<Polygon> polygons;
+  polygons.reserve(features.size());
+  for (const Feature& feature : features) polygons.push_back(feature.polygon);
+  return polygons;
 }
 
 tl::expected<Lines, GeometryError> read_lines(std::string_view text, const Origin& origin) {

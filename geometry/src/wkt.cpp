@@ -270,20 +270,6 @@ tl::expected<Map, GeometryError> map_of_wkt(std::string_view text, const Ground&
   return Reader(text, ground).map();
 }
 
-tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text, const Origin& origin) {
-  auto map = map_of_wkt(text, {origin});
-  if (!map) return tl::unexpected(std::move(map).error());
-  std::vector<Polygon> polygons;
-  for (Feature& feature : map->features) polygons.push_back(std::move(feature.polygon));
-  return polygons;
-}
-
-tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text, const Origin& origin) {
-  auto lines = lines_of_wkt(text, origin);
-  if (!lines) return tl::unexpected(std::move(lines).error());
-  return std::move(lines->cracks);
-}
-
 tl::expected<Lines, GeometryError> lines_of_wkt(std::string_view text, const Origin& origin) {
   return Reader(text, {origin}).lines();
 }

@@ -17,16 +17,12 @@ void lay(const std::vector<Polygon>& polygons) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (const auto polygons = from_wkt(text_of(data, size))) {
-    const auto again = from_wkt(to_wkt(*polygons));
-    if (!again || *again != *polygons) std::abort();
-    lay(*polygons);
-  }
-  if (const auto features = from_geojson(text_of(data, size))) {
-    const auto again = from_geojson(to_geojson(*features));
-    if (!again || *again != *features) std::abort();
-    std::vector<Polygon> polygons;
-    for (const Feature& feature : *features) polygons.push_back(feature.polygon);
+  if (const auto map = read_polygons(text_of(data, size))) {
+    const std::vector<Polygon> polygons = polygons_of(map->features);
+    const auto wkt = read_polygons(to_wkt(polygons));
+    if (!wkt || polygons_of(wkt->features) != polygons) std::abort();
+    const auto json = read_polygons(to_geojson(map->features));
+    if (!json || json->features != map->features) std::abort();
     lay(polygons);
   }
   if (const auto map = read_map(text_of(data, size))) {

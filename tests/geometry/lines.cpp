@@ -40,7 +40,7 @@ class Draw {
 BOOST_AUTO_TEST_SUITE(lines)
 
 BOOST_AUTO_TEST_CASE(a_crack_ends_on_a_crack_that_the_region_cuts_off) {
-  const auto cracks = cracks_from_wkt("LINESTRING (-300 -3, 300 -73)\nLINESTRING (48 -43.6, 48 300)").value();
+  const auto cracks = read_lines("LINESTRING (-300 -3, 300 -73)\nLINESTRING (48 -43.6, 48 300)").value().cracks;
   for (const double half : {100.0, 110.0, 600.0}) BOOST_TEST(n_pieces(box(100), box(half), cracks) == 3u);
 }
 

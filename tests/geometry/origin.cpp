@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(degrees_are_refused_where_the_file_names_them_and_suspected
     const auto map = read_map(with_crs(name));
     BOOST_REQUIRE(!map.has_value());
     BOOST_TEST(map.error().what.find("ogr2ogr -t_srs") != std::string::npos);
-    BOOST_TEST(!from_geojson(with_crs(name)).has_value());
+    BOOST_TEST(!read_polygons(with_crs(name)).has_value());
   }
   // Zone 32N with its number in the easting has a code in the midst of the geographic ones.
   for (const char* name : {"urn:ogc:def:crs:EPSG::32633", "EPSG:4647", "local"}) {
@@ -160,18 +160,19 @@ BOOST_AUTO_TEST_CASE(degrees_are_refused_where_the_file_names_them_and_suspected
 }
 
 BOOST_AUTO_TEST_CASE(lines_of_geojson_are_the_same_cracks_as_those_of_wkt) {
-  const auto wkt = cracks_from_wkt("LINESTRING (0 0, 1 2, 3 4) MULTILINESTRING ((5 5, 6 6), (7 7, 8 8))").value();
-  const auto json = cracks_from_geojson(
+  const auto wkt = read_lines("LINESTRING (0 0, 1 2, 3 4) MULTILINESTRING ((5 5, 6 6), (7 7, 8 8))").value().cracks;
+  const auto json = read_lines(
                         R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":null,"geometry":
 {"type":"LineString","coordinates":[[0,0],[1,2],[3,4]]}},{"type":"Feature","properties":null,"geometry":
 {"type":"MultiLineString","coordinates":[[[5,5],[6,6]],[[7,7],[8,8]]]}}]})")
-                        .value();
+                        .value()
+                        .cracks;
   BOOST_REQUIRE(json.size() == wkt.size());
   for (std::size_t i = 0; i < wkt.size(); ++i) BOOST_TEST((json[i].from == wkt[i].from && json[i].to == wkt[i].to));
-  BOOST_TEST(cracks_from_geojson(R"({"type":"Polygon","coordinates":[]})").error().what ==
+  BOOST_TEST(read_lines(R"({"type":"Polygon","coordinates":[]})").error().what ==
              "line 1, column 1: Polygon is not read: FeatureCollection, Feature, LineString, MultiLineString or "
              "GeometryCollection is expected");
-  BOOST_TEST(cracks_from_geojson(R"({"type":"LineString","coordinates":[[0,0]]})").error().what ==
+  BOOST_TEST(read_lines(R"({"type":"LineString","coordinates":[[0,0]]})").error().what ==
              "line 1, column 36: a line needs at least 2 positions, this has 1");
 }
 

@@ -77,8 +77,7 @@ std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& shee
                                "correct the polygon; lines that split the ice go to --along"});
   say_left_out(path, map->left_out);
   refuse_other_crs(path, map->crs, sheet);
-  std::vector<Polygon> polygons;
-  for (const Feature& f : map->features) polygons.push_back(f.polygon);
+  std::vector<Polygon> polygons = geometry::polygons_of(map->features);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const Polygon& cutter = polygons[i];
     const std::string name = fmt::format("cutter {}", i + 1);

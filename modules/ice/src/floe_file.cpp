@@ -47,9 +47,7 @@ std::vector<geometry::Feature> features_of(const std::string& text, const std::s
 
 /// The polygons of a text, in its order.
 std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::string& path, Vec2 origin) {
-  std::vector<geometry::Polygon> polygons;
-  for (geometry::Feature& feature : features_of(text, path, origin)) polygons.push_back(std::move(feature.polygon));
-  return polygons;
+  return geometry::polygons_of(features_of(text, path, origin));
 }
 
 void expect_no_overlap(const std::vector<geometry::Polygon>& polygons, const std::string& path) {
@@ -117,7 +115,7 @@ GivenIce given_ice(const Json& feature, std::size_t number, const std::string& p
           property(feature, number, "flexural_strength", 1e-3, 1e8, "Pa", path)};
 }
 
-/// Adds the properties of the features of a text that from_geojson() has read.
+/// Adds the properties of the features of a text that read_polygons() has read.
 void add_properties(const std::string& text, const std::string& path, std::vector<GivenFloe>& floes) {
   const Json features = features_in(Json::parse(text));
   std::size_t floe = 0, number = 0;

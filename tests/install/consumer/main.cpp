@@ -6,9 +6,10 @@
 #include <cstdio>
 
 int main() {
-  auto sheet = brash::geometry::IceSheet::from_polygons(
-      brash::geometry::from_wkt("POLYGON ((0 -20, 40 -20, 40 20, 0 20, 0 -20))").value());
-  const brash::geometry::Cut cut = brash::geometry::cut_circumferential(*sheet, {0.0, 0.0}, 3.5, 4);
+  namespace geometry = brash::geometry;
+  const geometry::Map map = geometry::read_polygons("POLYGON ((0 -20, 40 -20, 40 20, 0 20, 0 -20))").value();
+  auto sheet = geometry::IceSheet::from_polygons(geometry::polygons_of(map.features));
+  const geometry::Cut cut = geometry::cut_circumferential(*sheet, {0.0, 0.0}, 3.5, 4);
   const brash::failure::IceProperties ice{.thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3};
   const auto criterion = brash::failure::make_criterion(brash::model::FailureModel::kSuperposition, "", ice);
   const auto answer =

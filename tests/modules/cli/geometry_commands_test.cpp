@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(events_are_cut_out_as_wedges_and_the_ledger_closes) {
   BOOST_TEST(ledger["missing"] == "0");
   BOOST_TEST(ledger["closes"] == true);
   BOOST_TEST(ledger["n_floes"] == 6);
-  const auto features = geometry::from_geojson(read("pieces.geojson")).value();
+  const auto features = geometry::read_polygons(read("pieces.geojson")).value().features;
   geometry::ExactArea floes;
   for (const auto& f : features) {
     if (f.kind == "floe") floes += geometry::area(f.polygon);
@@ -137,11 +137,15 @@ BOOST_AUTO_TEST_CASE(cracks_split_a_map_of_floes_and_lose_nothing) {
   BOOST_TEST(ledger["n_floes"] == 4);  // the crack from (1, 1) to (2, 2) splits nothing
   BOOST_TEST(ledger["missing"] == "0");
   std::size_t n_holes = 0;
-  const auto written = geometry::from_geojson(read("pieces.geojson"));
-  for (const geometry::Feature& feature : written.value()) n_holes += feature.polygon.holes.size();
+  const geometry::Map written = geometry::read_polygons(read("pieces.geojson")).value();
+  for (const geometry::Feature& feature : written.features) n_holes += feature.polygon.holes.size();
   BOOST_TEST(n_holes == 1);
   const auto none = output_of(*this, {"crack", "--sheet", write("none.wkt", "POLYGON EMPTY"), "--cracks", cracks});
   BOOST_TEST(none["n_floes"] == 0);
+}
+
+geometry::Polygon polygon_in(std::string_view text) {
+  return geometry::read_polygons(text).value().features.front().polygon;
 }
 
 /// The lines of `text` that begin with a position, moved by whole metres: digits after the point stay as they are.
@@ -263,9 +267,9 @@ BOOST_AUTO_TEST_CASE(pieces_are_the_floes_of_a_map_or_all_its_polygons) {
   BOOST_TEST(all["fits"].size() == 3u);
   BOOST_TEST(read("sizes.svg").starts_with("<svg"));
   const std::string mixed = write(
-      "mixed.geojson", geometry::to_geojson(std::vector<geometry::Feature>{
-                           {geometry::from_wkt(kSheet)->front(), "sheet", 0},
-                           {geometry::from_wkt("POLYGON ((20 0, 22 0, 22 2, 20 2, 20 0))")->front(), "floe", 1}}));
+      "mixed.geojson",
+      geometry::to_geojson(std::vector<geometry::Feature>{
+          {polygon_in(kSheet), "sheet", 0}, {polygon_in("POLYGON ((20 0, 22 0, 22 2, 20 2, 20 0))"), "floe", 1}}));
   const auto floes = output_of(*this, {"pieces", mixed, "--json"});
   BOOST_TEST(floes["n"] == 1);
   BOOST_TEST(floes["n_left_out"] == 1);
@@ -379,7 +383,7 @@ BOOST_AUTO_TEST_CASE(lines_split_floes_which_keep_what_is_theirs) {
   BOOST_TEST(ledger["initial"] == "400");
   BOOST_TEST(ledger["floes"] == "400");
   BOOST_TEST(ledger["closes"] == true);
-  const auto floes = geometry::from_geojson(read("parts.geojson")).value();
+  const auto floes = geometry::read_polygons(read("parts.geojson")).value().features;
   BOOST_REQUIRE(floes.size() == 7u);
   for (const std::size_t i : {0u, 1u}) BOOST_TEST(floes[i].thickness.value() == 0.5);
   BOOST_TEST(!floes[2].thickness.has_value());

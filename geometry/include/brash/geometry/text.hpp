@@ -14,32 +14,12 @@
 
 namespace brash::geometry {
 
-/// POLYGON for one polygon, else MULTIPOLYGON, in metres. from_wkt() with the same origin gives back the same grid
+/// POLYGON for one polygon, else MULTIPOLYGON, in metres. read_polygons() with the same origin gives back the same grid
 /// points in the same order.
 ///
 /// @param origin  where the grid has its zero in the coordinates of the text. Without one, numbers have 17 significant
 ///                digits, else the fewest decimals that read to the same grid point.
 std::string to_wkt(std::span<const Polygon> polygons, const Origin& origin = {});
-
-/// Reads POLYGON and MULTIPOLYGON geometries, one or several after one another; lower case and EMPTY too. Heights and
-/// measures (Z, M, ZM) are passed over; `SRID=32633;` before a geometry is the code of its coordinate reference system.
-///
-/// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and
-/// is then rounded to the grid. Rings must be closed (the last position equals the first) and keep an area on the grid;
-/// either orientation is read, outlines come out counter-clockwise and holes clockwise. IceSheet::from_polygons checks
-/// that rings neither cross nor overlap.
-///
-/// @return the polygons, or the error: "line L, column C: ...", both from 1, columns in bytes.
-tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text, const Origin& origin = {});
-
-/// Reads LINESTRING and MULTILINESTRING geometries, one or several after one another, as the straight cracks between
-/// their positions, in their order. Coordinates as in from_wkt(). Two positions on one grid point make no crack.
-///
-/// @return the cracks, or the error as of from_wkt().
-tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text, const Origin& origin = {});
-
-/// The same from LineString and MultiLineString of a GeoJSON text, alone or in features and collections.
-tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin = {});
 
 /// The lines of a text.
 struct Lines {
@@ -49,7 +29,12 @@ struct Lines {
   std::string left_out;               ///< as in Map
 };
 
-/// Reads lines of WKT or GeoJSON as cracks_from_wkt() and cracks_from_geojson() do, and keeps them apart.
+/// Reads the lines of a text as the straight cracks between their positions, in their order.
+///
+/// WKT: LINESTRING and MULTILINESTRING. GeoJSON: LineString and MultiLineString, alone or in features and collections.
+/// Coordinates as in read_polygons(). Two positions on one grid point make no crack.
+///
+/// @return the lines, or the error as of read_polygons().
 tl::expected<Lines, GeometryError> read_lines(std::string_view text, const Origin& origin = {});
 
 /// True when `text` begins as JSON does, after a byte order mark and space.
@@ -105,26 +90,37 @@ std::string to_geojson(std::span<const Feature> features);
 /// The same with the members `crs` and `origin`, where the map has them: read_map() gives back the same map.
 std::string map_to_geojson(const Map& map);
 
-/// Reads a FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection, nested up to 64 deep.
+/// Reads the polygons of a text onto the grid around `origin`. It checks no ice of the features.
 ///
-/// Rings as in from_wkt(). A geographic `crs`, whose coordinates are degrees, is an error. Without `kind` a feature is
-/// `sheet`; without `id`, or with one that is no whole number, it has its number in the file, from 0; null is as good
-/// as none. The members of a multi-part feature share both. Every other property and member is passed over, and so are
-/// heights and features without geometry; another geometry is an error, also with line and column.
-tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text, const Origin& origin = {});
-
-/// Reads polygons of WKT or GeoJSON as from_wkt() and from_geojson() do, with their crs and left_out. It checks
-/// no ice of the features.
+/// WKT: POLYGON and MULTIPOLYGON, one or several after one another, lower case and EMPTY too. Heights and measures (Z,
+/// M, ZM) are passed over; `SRID=32633;` before a geometry is the code of its coordinate reference system. Polygons of
+/// WKT are sheet.
+///
+/// GeoJSON: a FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection, nested up to 64 deep. A
+/// geographic `crs`, whose coordinates are degrees, is an error. Without `kind` a feature is `sheet`; without `id`, or
+/// with one that is no whole number, it has its number in the file, from 0; null is as good as none. The members of a
+/// multi-part feature share both. Every other property and member is passed over, and so are heights and features
+/// without geometry; another geometry is an error.
+///
+/// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and
+/// is then rounded to the grid. Rings must be closed (the last position equals the first) and keep an area on the grid;
+/// either orientation is read, outlines come out counter-clockwise and holes clockwise. IceSheet::from_polygons checks
+/// that rings neither cross nor overlap.
+///
+/// @return the map, or the error: "line L, column C: ...", both from 1, columns in bytes.
 tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin = {});
 
-/// Reads a WKT or GeoJSON text onto the grid around an origin.
+/// The polygons of features, in their order.
+std::vector<Polygon> polygons_of(std::span<const Feature> features);
+
+/// Reads the polygons of a text as read_polygons() does, and the ice of its features.
 ///
 /// @param origin  in the coordinates of the text. Without one it is the member `origin` of the text, if all coordinates
 ///                lie within kMaxCoordinate of it, else zero, if they lie so around it, else the middle of the data,
 ///                rounded.
 /// A `thickness` and a `flexural_strength` must be numbers above 0, or null.
 ///
-/// @return the map, polygons of a WKT text as sheet; or the error as of from_wkt().
+/// @return the map, or the error as of read_polygons().
 tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin = {});
 
 }  // namespace brash::geometry
