@@ -23,6 +23,8 @@ namespace {
 
 /// A host adds up its times, and may be off by this part of a time step [-].
 constexpr double kTimeTolerance = 1e-3;
+/// Numbers of time steps beyond this are a mistake, and a double does not count them one by one [-].
+constexpr double kMostSteps = 0x1p53;
 /// An angle of more turns than these is a mistake: a sine of 1e9 rad says nothing about where a structure is [rad].
 constexpr double kMostAngle = 1000.0 * 2.0 * kPi;
 
@@ -227,22 +229,29 @@ void Instance::drive(double time) {
 
 void Instance::step(double from, double size) {
   const std::int64_t n = n_steps_of(from, size);
+  const double dt = state_.resolved.time.step;
   Outputs sum;
   for (std::int64_t i = 0; i < n; ++i) {
-    if (is_driven(state_.resolved)) drive(static_cast<double>(i + 1) * state_.resolved.time.step);
+    if (is_driven(state_.resolved)) drive(static_cast<double>(i + 1) * dt - state_.remainder);
     const Outputs one = outputs_of(simulation_->step().loads);
     ++state_.n_steps;
     sum = i == 0 ? one : joined(sum, one);
   }
-  state_.outputs = n == 1 ? sum : mean_of(sum, static_cast<double>(n));
+  if (n > 0) state_.outputs = n == 1 ? sum : mean_of(sum, static_cast<double>(n));
+  const double rest = time_past_steps(from + size);
+  state_.remainder = std::abs(rest) <= kTimeTolerance * dt ? 0.0 : rest;
+}
+
+double Instance::time_past_steps(double time) const {
+  return time - (state_.start_time + static_cast<double>(state_.n_steps) * state_.resolved.time.step);
 }
 
 std::int64_t Instance::n_steps_of(double from, double size) const {
   expect("stepping", {Phase::kStepping});
   const double dt = state_.resolved.time.step, tolerance = kTimeTolerance * dt;
-  const double n = std::round(size / dt);
-  if (!(n >= 1.0) || !(std::abs(size - n * dt) <= tolerance))
-    throw Discarded(fmt::format("a step of {} s: allowed is a multiple of {} s, the time step of the case", size, dt));
+  const double n = std::floor(time_past_steps(from + size) / dt + kTimeTolerance);
+  if (!(size > 0.0) || !(n < kMostSteps))
+    throw Discarded(fmt::format("a step of {} s: allowed is a finite time above 0 s", size));
   if (!(std::abs(from - time()) <= tolerance))
     throw Discarded(fmt::format("a step from {} s, but the unit is at {} s", from, time()));
   // Both standards ask for an error: fmi2SetupExperiment, fmi3EnterInitializationMode.
@@ -254,7 +263,7 @@ std::int64_t Instance::n_steps_of(double from, double size) const {
     if (!(from + size <= end + tolerance))
       throw Discarded(fmt::format("a step to {} s, beyond the last row of the path at {} s", from + size, end));
   }
-  return std::llround(n);
+  return std::max<std::int64_t>(0, std::llround(n));
 }
 
 State Instance::state() const {

@@ -47,11 +47,14 @@ class Instance {
   /// Sets all of these, or none where one of them is refused.
   void set(const std::vector<Setting>& settings);
 
-  /// Steps on by a whole number of the case's time steps.
+  /// Follows a step of the host in whole time steps of the case. The part of one that is left comes with the next call.
+  /// A step in which no time step ends leaves the outputs as they are.
   /// @param from  present time of the host [s].
   void step(double from, double size);
   /// Present time of the host [s].
-  double time() const { return state_.start_time + static_cast<double>(state_.n_steps) * state_.resolved.time.step; }
+  double time() const {
+    return state_.start_time + static_cast<double>(state_.n_steps) * state_.resolved.time.step + state_.remainder;
+  }
 
   State state() const;
   void restore(State state);
@@ -69,6 +72,7 @@ class Instance {
   void place_structure();
   void drive(double time);
   std::int64_t n_steps_of(double from, double size) const;
+  double time_past_steps(double time) const;
 
   std::string resources_;
   Unit unit_;

@@ -20,6 +20,7 @@ struct State {
   double start_time = 0.0;  ///< of the host, when the simulation is at 0 s [s]
   std::optional<double> stop_time;
   std::int64_t n_steps = 0;  ///< of the simulation
+  double remainder = 0.0;    ///< time of the host past these steps, less than one of them [s]
   model::Case resolved;      ///< with the parameters that the host has set
   Inputs inputs;             ///< of a driven structure
   Outputs outputs;

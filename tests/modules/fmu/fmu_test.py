@@ -83,6 +83,46 @@ class Tests(Common):
                 self.assertEqual(found[i], total / 20)
             self.assertEqual(found[place], of_run[-1][place])
 
+    def test_a_step_that_is_no_multiple_leaves_its_rest_to_the_next(self):
+        history = UNITS.history(3)
+        for part in (0.4, 1.0 / 3.0, 1.5, 2.25):
+            instance, at = self.keep(started(self.unit())), 0.0
+            for i in range(1, 100):
+                before, done = int((i - 1) * part + 1e-6), int(i * part + 1e-6)
+                instance.step(at, part * STEP)
+                at += part * STEP
+                self.assertAlmostEqual(instance.get(["time"])[0], i * part * STEP, delta=1e-9)
+                if done > before:
+                    self.assertEqual(instance.get(["structure_x"]), history[done - 1][OUTPUTS.index("structure_x"):][:1])
+                if done == before + 1:
+                    self.assertEqual(instance.get(OUTPUTS), history[done - 1])
+
+    def test_a_saved_state_keeps_the_rest_of_a_step(self):
+        unit, history = self.unit(), UNITS.history(3)
+        instance = self.keep(started(unit))
+        instance.step(0.0, 60.7 * STEP)
+        other = self.keep(unit.instantiate())
+        other.set_state(other.deserialize(instance.serialize(instance.get_state())))
+        other.step(60.7 * STEP, 0.4 * STEP)
+        self.assertEqual(other.get(OUTPUTS), history[60])
+
+    def test_a_driven_structure_goes_evenly_through_steps_that_are_no_multiples(self):
+        unit = self.unit(**DRIVEN, **{"field.initial_crack": False})
+
+        def crushing(part):
+            instance, found = self.keep(started(unit)), {}
+            for i in range(round(26 / part)):
+                instance.set({"structure_x": -7.0 + 1.2 * i * part * STEP, "structure_vx": 1.2})
+                instance.step(i * part * STEP, part * STEP)
+                if abs(round((i + 1) * part) - (i + 1) * part) < 1e-6:
+                    found[round((i + 1) * part)] = instance.get(["crushing_Fx"])[0]
+            return found
+        whole, odd = crushing(1.0), crushing(0.25)
+        self.assertEqual(set(odd), set(range(1, 27)))
+        self.assertGreater(max(whole.values()), 1e4)
+        for n, load in whole.items():  # the place at the end of a time step differs by round-off
+            self.assertAlmostEqual(odd[n], load, delta=1e-6 * max(whole.values()), msg=n)
+
     def test_time_goes_on_from_the_hosts_start(self):
         instance = self.keep(self.unit().instantiate())
         instance.enter_initialization(start=100.0)

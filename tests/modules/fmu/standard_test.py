@@ -137,16 +137,26 @@ class Tests(Common):
         self.assertEqual(instance.get(OUTPUTS), history[39])
         self.refuses(ERROR, instance.step, 40 * STEP, STEP)
 
-    def test_a_step_that_fits_no_time_step_is_discarded_and_another_goes_on(self):
+    def test_a_step_that_is_none_is_discarded_and_another_goes_on(self):
         instance = self.keep(self.unit().instantiate())
         instance.enter_initialization(stop=1.0)
         instance.exit_initialization()
-        for at, size in ((0.0, 0.5 * STEP), (0.0, 1.5 * STEP), (0.0, 0.0), (0.0, -STEP), (0.0, float("nan")),
-                         (STEP, STEP)):
+        for at, size in ((0.0, 0.0), (0.0, -STEP), (0.0, float("nan")), (0.0, float("inf")), (STEP, STEP)):
             self.refuses(DISCARD, instance.step, at, size)
         self.assertEqual(instance.categories[-1], "logStatusDiscard")
         instance.step(0.0, STEP * (1 + 1e-9))
         self.assertEqual(instance.get(["time"]), [STEP])
+
+    def test_a_host_reaches_the_stop_time_by_steps_that_are_no_multiples(self):
+        instance = self.keep(self.unit().instantiate())
+        instance.enter_initialization(start=5.0, stop=5.1)
+        instance.exit_initialization()
+        for i, part in enumerate((0.5, 1.0, 3.3, 0.1, 0.1, 4.0)):
+            instance.step(instance.get(["time"])[0], part * STEP)
+        instance.step(instance.get(["time"])[0], 5.1 - instance.get(["time"])[0])
+        self.assertAlmostEqual(instance.get(["time"])[0], 5.1, delta=1e-12)
+        self.assertEqual(instance.messages, [])
+        instance.terminate()
 
     def test_a_step_past_the_stop_time_is_an_error(self):
         instance = self.keep(self.unit().instantiate())

@@ -40,7 +40,8 @@ struct Inputs {
 };
 
 /// The values that a step gives. Loads have the axes and signs of model::LoadRow, which turn with the structure's
-/// heading. They are means over the step of the host, so they keep its impulse if the heading stays.
+/// heading. They are means over the time steps that end in the step of the host. If it is a whole number of them and the
+/// heading stays, they keep its impulse.
 struct Outputs {
   Wrench total, crushing, floe_normal, floe_friction;
   Vec3 place{};     ///< of the structure's origin, at the end of the step [m]
