@@ -176,6 +176,7 @@ void add_fmu_command(CLI::App& command) {
     std::string case_file, file;
     std::vector<std::string> overrides;
     int standard = 2;
+    bool velocity_from_poses = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* fmu = command.add_subcommand("fmu", "A case as a co-simulation unit (FMI) for other programs to step");
@@ -185,11 +186,13 @@ void add_fmu_command(CLI::App& command) {
   fmu->add_option("--set", options->overrides, "section.key=value, in place of the case file's")
       ->take_all()
       ->allow_extra_args(false);
+  fmu->add_flag("--velocity-from-poses", options->velocity_from_poses,
+                "of a driven structure: the host gives poses, the unit takes velocities from them");
   fmu->footer("Example: brash export fmu cone.toml -o cone.fmu --fmi 3");
   fmu->callback([options] {
     const std::string beside = fs::path(options->case_file).stem().string() + ".fmu";
     export_fmu(options->case_file, options->overrides, options->file.empty() ? beside : options->file,
-               static_cast<fmu::Standard>(options->standard));
+               static_cast<fmu::Standard>(options->standard), options->velocity_from_poses);
   });
 }
 

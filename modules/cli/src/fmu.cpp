@@ -101,13 +101,16 @@ void check_name(const std::string& name, const std::string& case_file) {
 }  // namespace
 
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
-                fmu::Standard standard) {
+                fmu::Standard standard, bool velocity_from_poses) {
   refuse_overwriting(file, {case_file});
   check_ending(file, "a co-simulation unit", {".fmu"});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   check_name(inputs.resolved.name, case_file);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
-  fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};
+  if (velocity_from_poses && !fmu::is_driven(inputs.resolved))
+    throw InputError(Complaint{"--velocity-from-poses", "is of no use: no host drives the structure of " + case_file,
+                               "a structure that the host drives", "add --set structure.motion.kind=driven"});
+  fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), "", velocity_from_poses};
   std::vector<ZipEntry> entries = input_entries(inputs);
   unit.token = token_of(unit, entries);
   entries.insert(entries.begin(), {"modelDescription.xml", fmu::model_description(unit, standard)});

@@ -28,7 +28,7 @@ void keep(void** kept, State state) {
 }  // namespace
 
 void Log::select(bool on, const char* const* categories, std::size_t n) {
-  constexpr std::array<std::string_view, 2> kKnown{kDiscardCategory, kErrorCategory};
+  constexpr std::array<std::string_view, 3> kKnown{kWarningCategory, kDiscardCategory, kErrorCategory};
   expect_array(categories, n);
   bool has_discards = n == 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -39,6 +39,10 @@ void Log::select(bool on, const char* const* categories, std::size_t n) {
     if (category == kDiscardCategory) has_discards = true;
   }
   if (has_discards) discards_ = on;
+}
+
+void Log::warn(const char* message) const {
+  if (write_) write_(Status::kWarning, kWarningCategory, message);
 }
 
 void Log::discard(const char* message) const {
@@ -65,6 +69,8 @@ Status attempt(void* pointer, const std::function<void(Component&)>& action) noe
   if (component == nullptr) return Status::kError;
   try {
     action(*component);
+    const std::string warning = component->instance.take_warning();
+    if (!warning.empty()) component->log.warn(warning.c_str());
     return Status::kOk;
   } catch (const Discarded& discarded) {
     component->log.discard(discarded.what());

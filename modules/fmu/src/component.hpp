@@ -12,13 +12,14 @@
 namespace brash::fmu {
 
 /// Results of a call: the numbers that both versions of the standard give them.
-enum class Status { kOk = 0, kDiscard = 2, kError = 3 };
+enum class Status { kOk = 0, kWarning = 1, kDiscard = 2, kError = 3 };
 
 /// The categories of messages, as a description lists them.
+inline constexpr const char* kWarningCategory = "logStatusWarning";
 inline constexpr const char* kDiscardCategory = "logStatusDiscard";
 inline constexpr const char* kErrorCategory = "logStatusError";
 
-/// Messages of an instance to its host. A host cannot turn errors off.
+/// Messages of an instance to its host. A host cannot turn errors and warnings off.
 class Log {
  public:
   using Write = std::function<void(Status, const char* category, const char* message)>;
@@ -29,6 +30,7 @@ class Log {
   /// @param categories  of the host, n of them; none: all.
   /// @throws std::runtime_error for a category that is not there, and for a null pointer.
   void select(bool on, const char* const* categories, std::size_t n);
+  void warn(const char* message) const;
   void discard(const char* message) const;
   void error(const char* message) const;
 

@@ -73,15 +73,6 @@ Outputs mean_of(Outputs sum, double n) {
   return sum;
 }
 
-/// Yaw, then pitch, then roll, each about the structure's own axis.
-Quaternion rotation_of(const Inputs& in) {
-  const double cr = std::cos(0.5 * in.roll), sr = std::sin(0.5 * in.roll);
-  const double cp = std::cos(0.5 * in.pitch), sp = std::sin(0.5 * in.pitch);
-  const double cy = std::cos(0.5 * in.yaw), sy = std::sin(0.5 * in.yaw);
-  return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
-          cr * cp * sy - sr * sp * cy};
-}
-
 /// The number that a `visit` names at this place.
 template <typename Owner>
 auto& nth_number(Owner& owner, std::size_t place) {
@@ -154,6 +145,7 @@ void Instance::exit_initialization() {
 
 void Instance::terminate() {
   expect("terminating", {Phase::kStepping});
+  warning_ = state_.track.count();
   state_.phase = Phase::kTerminated;
 }
 
@@ -221,15 +213,22 @@ void Instance::set(const std::vector<Setting>& settings) {
   if (has_parameter) place_structure();
 }
 
+/// Takes in where the host has put the structure at the start of a step of this size [s].
+void Instance::follow(double size) {
+  if (unit_.velocity_from_poses) state_.inputs.twist = state_.track.mean_twist(state_.inputs).value_or(Twist{});
+  state_.track.add(state_.inputs, size);
+  if (!unit_.velocity_from_poses) warning_ = state_.track.take_warning();
+}
+
 /// Along the way that the inputs say, to where it leads in `time` from the communication point [s].
 void Instance::drive(double time) {
-  const Inputs& in = state_.inputs;
-  simulation_->drive(structure::way_at(in.twist, {in.place, rotation_of(in)}, time));
+  simulation_->drive(structure::way_at(state_.inputs.twist, pose_of(state_.inputs), time));
 }
 
 void Instance::step(double from, double size) {
   const std::int64_t n = n_steps_of(from, size);
   const double dt = state_.resolved.time.step;
+  if (is_driven(state_.resolved)) follow(size);
   Outputs sum;
   for (std::int64_t i = 0; i < n; ++i) {
     if (is_driven(state_.resolved)) drive(static_cast<double>(i + 1) * dt - state_.remainder);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brash/fmu/unit.hpp"
@@ -59,6 +60,9 @@ class Instance {
   State state() const;
   void restore(State state);
 
+  /// What the host should know of the call that has just succeeded; empty: nothing.
+  std::string take_warning() { return std::exchange(warning_, {}); }
+
   Phase phase() const { return state_.phase; }
   const std::string& token() const { return unit_.token; }
   /// The call that is under way has failed.
@@ -70,6 +74,7 @@ class Instance {
   Number value(unsigned reference) const;
   void check(const Variable& v, Number value) const;
   void place_structure();
+  void follow(double size);
   void drive(double time);
   std::int64_t n_steps_of(double from, double size) const;
   double time_past_steps(double time) const;
@@ -78,6 +83,7 @@ class Instance {
   Unit unit_;
   std::vector<Variable> variables_;
   State state_;
+  std::string warning_;
   std::optional<simulation::Simulation> simulation_;
 };
 

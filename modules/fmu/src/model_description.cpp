@@ -95,9 +95,10 @@ std::string unit_definitions(const std::vector<Variable>& variables) {
 
 std::string log_categories() {
   return fmt::format(
-      "  <LogCategories>\n    <Category name=\"{}\" description=\"calls that changed nothing, and why\"/>\n"
+      "  <LogCategories>\n    <Category name=\"{}\" description=\"results that are in doubt, and why\"/>\n"
+      "    <Category name=\"{}\" description=\"calls that changed nothing, and why\"/>\n"
       "    <Category name=\"{}\" description=\"calls that ended the instance, and why\"/>\n  </LogCategories>\n",
-      kDiscardCategory, kErrorCategory);
+      kWarningCategory, kDiscardCategory, kErrorCategory);
 }
 
 std::string default_experiment(const model::Case& c) {

@@ -111,6 +111,7 @@ Json tree_of(const State& state) {
             {"name", state.resolved.name},
             {"case", model::to_tree<Json>(state.resolved)},
             {"inputs", numbers_of(state.inputs)},
+            {"track", numbers_of(state.track)},
             {"outputs", numbers_of(state.outputs)}};
   tree["case"]["failure"]["file"] = "";
   if (state.stop_time) tree["stop_time"] = *state.stop_time;
@@ -127,11 +128,13 @@ State state_from(const Json& tree) {
               .remainder = tree.at("remainder"),
               .resolved = model::from_tree(tree.at("case")),
               .inputs = {},
+              .track = {},
               .outputs = {},
               .checkpoint = {}};
   state.resolved.name = tree.at("name");
   if (tree.contains("stop_time")) state.stop_time = tree.at("stop_time").get<double>();
   take_numbers(state.inputs, tree.at("inputs"));
+  take_numbers(state.track, tree.at("track"));
   take_numbers(state.outputs, tree.at("outputs"));
   if (!tree.contains("tables")) return state;
   state.checkpoint.emplace().resolved = state.resolved;

@@ -8,6 +8,7 @@
 
 #include "brash/fmu/variables.hpp"
 #include "brash/model/checkpoint.hpp"
+#include "track.hpp"
 
 namespace brash::fmu {
 
@@ -23,6 +24,7 @@ struct State {
   double remainder = 0.0;    ///< time of the host past these steps, less than one of them [s]
   model::Case resolved;      ///< with the parameters that the host has set
   Inputs inputs;             ///< of a driven structure
+  Track track;               ///< of a driven structure
   Outputs outputs;
   std::optional<model::Checkpoint> checkpoint;  ///< of a simulation that has begun
 };

@@ -32,7 +32,8 @@ std::string to_json(const Unit& unit) {
                   {"name", unit.resolved.name},
                   {"case", model::to_tree<Json>(unit.resolved)},
                   {"parameters", std::move(parameters)},
-                  {"token", unit.token}};
+                  {"token", unit.token},
+                  {"velocity_from_poses", unit.velocity_from_poses}};
   return tree.dump(1) + '\n';
 }
 
@@ -40,7 +41,7 @@ Unit unit_from(const std::string& text, const std::string& path) {
   try {
     const Json tree = Json::parse(text);
     if (tree.at("format") != kFormat) throw std::runtime_error("is not of this version");
-    Unit unit{model::from_tree(tree.at("case")), {}, tree.at("token")};
+    Unit unit{model::from_tree(tree.at("case")), {}, tree.at("token"), tree.at("velocity_from_poses")};
     unit.resolved.name = tree.at("name");
     for (const Json& parameter : tree.at("parameters")) unit.parameters.push_back(parameter_from(parameter));
     return unit;

@@ -35,6 +35,10 @@ void set_value(model::Case& c, const Parameter& parameter, Number value) {
   c = changed;
 }
 
+bool is_velocity(std::string_view input) {
+  return input.starts_with("structure_v") || input.starts_with("structure_w");
+}
+
 bool is_driven(const model::Case& c) { return std::holds_alternative<model::Driven>(c.structure.motion); }
 
 Inputs inputs_at_rest(const model::Case& c) { return {.place = {-c.structure.start_distance, 0.0, 0.0}}; }
@@ -77,7 +81,9 @@ std::vector<Variable> variables_of(const Unit& unit) {
   const Inputs inputs = inputs_at_rest(unit.resolved);
   if (is_driven(unit.resolved))
     Inputs::visit(inputs, [&](const char* name, const char* unit_of, const char* meaning, double start) {
-      variables.push_back({name, unit_of, meaning, Causality::kInput, start, place++});
+      const std::size_t here = place++;
+      if (!(unit.velocity_from_poses && is_velocity(name)))
+        variables.push_back({name, unit_of, meaning, Causality::kInput, start, here});
     });
   place = 0;
   const Outputs outputs;

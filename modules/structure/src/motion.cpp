@@ -198,10 +198,13 @@ class Driven final : public Motion {
   static void expect_slow(const Twist& way, double time, const std::string& what) {
     if (norm(way.linear) > kFastest * time)
       throw InputError(what + " moves it at " + std::to_string(norm(way.linear) / time) +
-                       " m/s: more than 50 m/s; give metres, and the pose at the end of the step");
+                       " m/s: more than 50 m/s; give metres, and the pose at the end of the step that comes, or at its "
+                       "beginning to a co-simulation unit");
     if (norm(way.angular) > kFastestTurn * time)
-      throw InputError(what + " turns it at " + std::to_string(norm(way.angular) / time) +
-                       " rad/s: more than 10 rad/s; give radians, and the pose at the end of the step");
+      throw InputError(
+          what + " turns it at " + std::to_string(norm(way.angular) / time) +
+          " rad/s: more than 10 rad/s; give radians, and the pose at the end of the step that comes, or at "
+          "its beginning to a co-simulation unit");
   }
   void go_on() { way_ = {time_step_ * now_.twist.linear, time_step_ * now_.twist.angular}; }
 

@@ -253,6 +253,55 @@ class Tests(Common):
             for number, turned in zip(a, b):
                 self.assertAlmostEqual(turned, number, delta=1e-9 * max(map(abs, ahead[-1])))
 
+    def load_of_host(self, velocity, unit=None, seconds=1.0):
+        """The mean load of a host that goes ahead at 1.2 m/s and gives this velocity, and what the unit says to it."""
+        instance = (unit or self.unit(**DRIVEN)).instantiate(logging=False)
+        self.keep(instance).enter_initialization()
+        instance.exit_initialization()
+        loads = []
+        for i in range(round(seconds / STEP)):
+            instance.set({"structure_x": -7.0 + 1.2 * i * STEP})
+            if velocity is not None:
+                instance.set({"structure_vx": velocity(i * STEP)})
+            instance.step(i * STEP, STEP)
+            loads += instance.get(["Fx"])
+        instance.terminate()
+        return sum(loads) / len(loads), instance.messages
+
+    def test_a_host_that_gives_poses_alone_is_warned_once(self):
+        for velocity in (None, lambda _: 1.2 / 3.6, lambda _: 1.1, lambda _: -1.2):
+            _, said = self.load_of_host(velocity)
+            self.assertEqual(len(said), 2, said)
+            self.assertIn("--velocity-from-poses", said[0])
+            self.assertRegex(said[1], "did not fit in [0-9]+ of 99 steps")
+
+    def test_a_host_whose_velocity_is_of_the_start_or_the_end_of_a_step_is_not_warned(self):
+        for shift in (0.0, 0.5, 1.0):
+            instance = self.keep(started(self.unit(**DRIVEN)))
+            for i in range(150):
+                time = i * STEP
+                instance.set({"structure_x": -9.0 + 0.5 * math.sin(4.0 * time), "structure_roll": 0.1 * math.sin(2.0 * time),
+                              "structure_vx": 2.0 * math.cos(4.0 * (time + shift * STEP)),
+                              "structure_wx": 0.2 * math.cos(2.0 * (time + shift * STEP))})
+                instance.step(time, STEP)
+            self.assertEqual(instance.messages, [])
+
+    def test_a_unit_takes_velocities_from_poses_on_request(self):
+        path = UNITS.folder / f"poses{self.fmi}.fmu"
+        said = brash("export", "fmu", CASE, "-o", path, "--fmi", self.fmi, "--velocity-from-poses", "--set",
+                     "structure.motion.kind=driven")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        unit = Unit(path, UNITS.folder / f"poses{self.fmi}")
+        self.assertEqual([name for name in unit.references if name in INPUTS], INPUTS[:6])
+        wanted, _ = self.load_of_host(lambda _: 1.2)
+        found, warnings = self.load_of_host(None, unit)
+        self.assertEqual(warnings, [])
+        # The first step, far from the ice, has no velocity yet.
+        self.assertAlmostEqual(found, wanted, delta=1e-6 * wanted)
+        towed = brash("export", "fmu", CASE, "-o", path, "--velocity-from-poses")
+        self.assertEqual(towed.returncode, 2)
+        self.assertIn("structure.motion.kind=driven", towed.stderr)
+
     def test_a_driven_unit_goes_on_from_a_saved_state_to_the_bit(self):
         unit = self.unit(**DRIVEN)
         instance = self.keep(started(unit))

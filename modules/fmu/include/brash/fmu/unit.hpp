@@ -21,7 +21,8 @@ struct Unit {
   /// A model file of its own is named relative to the unit's resources.
   model::Case resolved;
   std::vector<Parameter> parameters;
-  std::string token;  ///< a host states it, so that description and library fit each other
+  std::string token;                 ///< a host states it, so that description and library fit each other
+  bool velocity_from_poses = false;  ///< of a driven structure: its velocities are no inputs
 };
 
 /// The file in a unit's resources that unit_from() reads; beside it stands the folder of the models.

@@ -14,8 +14,9 @@
 
 namespace brash::fmu {
 
-/// Where a driven structure is at a communication point, and how it moves in the step from there; sheet frame. It turns
-/// from the sheet's axes by the yaw about z, then the pitch about its own y, then the roll about its own x.
+/// Where a driven structure is at a communication point, and how it moves in the step from there; sheet frame. A unit
+/// may take the motion from the poses instead: from the mean velocity of the step before. The structure turns from the
+/// sheet's axes by the yaw about z, then the pitch about its own y, then the roll about its own x.
 struct Inputs {
   Vec3 place{};                               ///< of its origin [m]
   double roll = 0.0, pitch = 0.0, yaw = 0.0;  ///< [rad]
@@ -40,8 +41,8 @@ struct Inputs {
 };
 
 /// The values that a step gives. Loads have the axes and signs of model::LoadRow, which turn with the structure's
-/// heading. They are means over the time steps that end in the step of the host. If it is a whole number of them and the
-/// heading stays, they keep its impulse.
+/// heading. They are means over the time steps that end in the step of the host. If it is a whole number of them and
+/// the heading stays, they keep its impulse.
 struct Outputs {
   Wrench total, crushing, floe_normal, floe_friction;
   Vec3 place{};     ///< of the structure's origin, at the end of the step [m]
