@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -76,11 +77,25 @@ std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
 }
 
 /// FMI 3.0.2, Sec. 2.5: a unit that needs other libraries says which.
-constexpr const char* kNeeds = "The library of this unit is for Linux on x86-64. Of " BRASH_FMU_SYSTEM
-                               " it needs these packages:\n\n"
-                               "    apt-get install " BRASH_FMU_PACKAGES
-                               "\n\n"
-                               "The last three are in every Debian.\n";
+std::string needs() {
+  return fmt::format(
+      "The library of this unit is for Linux on x86-64 with glibc {}.{} or newer and the C++ library of GCC.\n"
+      "It brings every other library along. They are those of the packages\n\n    {}\n\n"
+      "of {}, whose licences lie in /usr/share/doc there.\n",
+      __GLIBC__, __GLIBC_MINOR__, BRASH_FMU_PACKAGES, BRASH_FMU_SYSTEM);
+}
+
+/// The library of the unit, and beside it the shared libraries that it needs.
+std::vector<ZipEntry> library_entries(fmu::Standard standard) {
+  const fs::path library = unit_library(), folder = fs::path(fmu::library_path(standard)).parent_path();
+  std::vector<ZipEntry> entries{{fmu::library_path(standard), read_text_file(library, "the library of units")}};
+  std::vector<fs::path> others;
+  for (const auto& entry : fs::directory_iterator(library.parent_path() / "fmu")) others.push_back(entry.path());
+  std::ranges::sort(others);
+  for (const fs::path& path : others)
+    entries.push_back({folder / path.filename(), read_text_file(path, "a library that units need")});
+  return entries;
+}
 
 /// Says which case, models and version a unit is made of.
 std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs) {
@@ -115,8 +130,8 @@ void export_fmu(const std::string& case_file, const std::vector<std::string>& ov
   unit.token = token_of(unit, entries);
   entries.insert(entries.begin(), {"modelDescription.xml", fmu::model_description(unit, standard)});
   entries.push_back({std::string("resources/") + fmu::kUnitFile, fmu::to_json(unit)});
-  entries.push_back({"documentation/externalDependencies.txt", kNeeds});
-  entries.push_back({fmu::library_path(standard), read_text_file(unit_library(), "the library of units")});
+  entries.push_back({"documentation/externalDependencies.txt", needs()});
+  for (ZipEntry& entry : library_entries(standard)) entries.push_back(std::move(entry));
   write_zip(file, entries);
   print("co-simulation unit of {} in {}\n", inputs.resolved.name, file);
 }
