@@ -32,8 +32,10 @@ void print_mesh(const model::Mesh& mesh) {
   const structure::MeshReport report = structure::examine(mesh).value();  // the case has been checked
   print("# mesh                           {} triangles in {} shell{}\n", report.n_triangles, report.n_shells,
         report.n_shells == 1 ? "" : "s");
-  print("# repairs of the mesh            {} triangles dropped, {} turned, {} holes filled, {} inner shells left out\n",
-        report.n_dropped, report.n_turned, report.n_holes_filled, report.n_inner_shells);
+  print(
+      "# repairs of the mesh            {} vertices joined, {} triangles dropped, {} turned, {} holes filled, {} inner "
+      "shells left out\n",
+      report.n_joined, report.n_dropped, report.n_turned, report.n_holes_filled, report.n_inner_shells);
   print("# convex parts of the mesh       {}, their volume is off by {:.2g} %\n", report.n_parts,
         100.0 * report.parts_error);
 }

@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "triangle_mesh.hpp"
@@ -41,6 +43,9 @@ constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr double kSmallHole = 0.01;
 /// Places that a message lists.
 constexpr std::size_t kMostPlaces = 5;
+/// How far apart vertices of an open mesh may lie to become one, over the mesh's extent: round-off of the program that
+/// wrote it, then of numbers with 24 bits, then of numbers with six digits. Tried in this order.
+constexpr std::array kNearlyEqual{0.0, 1e-9, 1e-7, 1e-6};
 /// A shell of less volume than this share of its box is no body.
 constexpr double kFlatShell = 1e-9;
 
@@ -147,12 +152,86 @@ Box box_of(const SurfaceMesh& mesh) {
   return box;
 }
 
+/// Joins every vertex with the first one within `distance` of it. @return how many vertices that takes away.
+int join_near(Soup& soup, double distance) {
+  if (distance == 0.0) return 0;
+  using Cell = std::array<long long, 3>;
+  const auto cell_of = [&](const Point& p) {
+    return Cell{std::llround(p.x() / distance), std::llround(p.y() / distance), std::llround(p.z() / distance)};
+  };
+  std::map<Cell, std::vector<std::size_t>> kept;
+  std::set<Point> places;
+  std::vector<std::size_t> joined(soup.points.size());
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Point& p = soup.points[i];
+    const Cell cell = cell_of(p);
+    places.insert(p);
+    joined[i] = i;
+    for (int k = 0; k < 27 && joined[i] == i; ++k) {
+      const auto near = kept.find({cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1});
+      if (near == kept.end()) continue;
+      const auto is_near = [&](std::size_t j) { return norm(vec(soup.points[j]) - vec(p)) <= distance; };
+      const auto first = std::ranges::find_if(near->second, is_near);
+      if (first != near->second.end()) joined[i] = *first;
+    }
+    if (joined[i] == i) kept[cell].push_back(i);
+  }
+  for (auto& polygon : soup.polygons)
+    for (std::size_t& corner : polygon) corner = joined[corner];
+  std::set<Point> left;
+  for (const std::size_t i : joined) left.insert(soup.points[i]);
+  return static_cast<int>(places.size() - left.size());
+}
+
+/// The edges in which three faces or more meet.
+struct Crowded {
+  std::size_t n = 0;
+  Box box;  ///< of the first one
+};
+
+Crowded crowded_edges(const Soup& soup) {
+  std::map<std::pair<std::size_t, std::size_t>, int> n_faces;
+  for (const auto& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      ++n_faces[std::minmax(polygon[i], polygon[i + 1 == polygon.size() ? 0 : i + 1])];
+  Crowded crowded;
+  for (const auto& [ends, n] : n_faces) {
+    if (n < 3) continue;
+    if (crowded.n++ == 0)
+      for (const std::size_t i : {ends.first, ends.second}) crowded.box.add(vec(soup.points[i]));
+  }
+  return crowded;
+}
+
+/// A surface that may have holes, and what it took to make it.
+struct Surface {
+  SurfaceMesh mesh;
+  std::vector<bool> turned;  ///< of each face, whether it faces the other way than in the soup
+  MeshReport report;
+  std::size_t n_open = 0;  ///< edges with a face on one side only
+  Crowded crowded;
+};
+
+MeshError no_surface(const Crowded& crowded) {
+  const std::string what =
+      crowded.n > 0 ? fmt::format("has {} edge{} in which three faces or more meet, one from {} to {}", crowded.n,
+                                  crowded.n == 1 ? "" : "s", place(crowded.box.least), place(crowded.box.most))
+                    : std::string("has faces that form no surface: none has an area, or they cannot be turned alike");
+  return {what, "a surface that parts inside from outside, two faces at each edge",
+          "remove inner decks and faces that two parts share, or unite the parts, in a program for meshes"};
+}
+
 /// One surface from a soup, all faces of a shell turned alike.
-/// @param turned  becomes, of each face of the result, whether it faces the other way than in the soup.
-tl::expected<SurfaceMesh, MeshError> surface_of(Soup soup, std::vector<bool>& turned, MeshReport& report) {
+/// @param distance  within which vertices become one.
+tl::expected<Surface, MeshError> surface_of(Soup soup, double distance) {
+  Surface result;
+  MeshReport& report = result.report;
+  std::vector<bool>& turned = result.turned;
   report.n_read = static_cast<int>(soup.polygons.size());
+  report.n_joined = join_near(soup, distance);
   pmp::repair_polygon_soup(soup.points, soup.polygons);
   report.n_dropped = report.n_read - static_cast<int>(soup.polygons.size());
+  result.crowded = crowded_edges(soup);
   std::vector<std::array<Point, 3>> before;
   for (const auto& p : soup.polygons) before.push_back({soup.points[p[0]], soup.points[p[1]], soup.points[p[2]]});
   pmp::orient_polygon_soup(soup.points, soup.polygons);
@@ -163,17 +242,31 @@ tl::expected<SurfaceMesh, MeshError> surface_of(Soup soup, std::vector<bool>& tu
     turned.push_back(soup.points[*next] != before[i][1]);
   }
   if (soup.polygons.empty() || !pmp::is_polygon_soup_a_polygon_mesh(soup.polygons))
-    return tl::unexpected(
-        MeshError{"has faces that form no surface: more than two meet in an edge, or none has an area",
-                  "a surface that parts inside from outside", "mend it in a program for meshes"});
-  SurfaceMesh mesh;
+    return tl::unexpected(no_surface(result.crowded));
+  SurfaceMesh& mesh = result.mesh;
   pmp::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   pmp::stitch_borders(mesh);
-  return mesh;
+  for (const auto h : mesh.halfedges()) result.n_open += mesh.is_border(h) ? 1 : 0;
+  return result;
+}
+
+/// The surface with the fewest open edges. Vertices become one only where that closes some.
+tl::expected<Surface, MeshError> closest_surface(const Soup& soup) {
+  Box box;
+  for (const Point& p : soup.points) box.add(vec(p));
+  tl::expected<Surface, MeshError> best;
+  for (const double share : kNearlyEqual) {
+    auto made = surface_of(soup, share * box.extent());
+    if (share == 0.0 || (made && (!best || made->n_open < best->n_open))) best = std::move(made);
+    if (best && best->n_open == 0) break;
+  }
+  return best;
 }
 
 /// Fills small holes; the others are an error.
-tl::expected<void, MeshError> close_holes(SurfaceMesh& mesh, MeshReport& report) {
+tl::expected<void, MeshError> close_holes(Surface& surface) {
+  SurfaceMesh& mesh = surface.mesh;
+  MeshReport& report = surface.report;
   std::vector<SurfaceMesh::Halfedge_index> cycles;
   pmp::extract_boundary_cycles(mesh, std::back_inserter(cycles));
   if (cycles.empty()) return {};
@@ -197,11 +290,13 @@ tl::expected<void, MeshError> close_holes(SurfaceMesh& mesh, MeshReport& report)
       places.push_back(fmt::format("one of {} edges from {} to {}", n_edges, place(box.least), place(box.most)));
   }
   if (n_open == 0) return {};
+  if (surface.crowded.n > 0) return tl::unexpected(no_surface(surface.crowded));
   return tl::unexpected(
       MeshError{fmt::format("is open: {} hole{}, {}{}", n_open, n_open == 1 ? "" : "s", fmt::join(places, ", "),
                             n_open > kMostPlaces ? ", and more" : ""),
                 fmt::format("a closed surface; holes up to {:g} % of its size are filled", 100.0 * kSmallHole),
-                "close it, an open deck with a deck, in the program that made it"});
+                "close it in the program that made it: an open deck with a deck, and an edge that ends within "
+                "another one by dividing that edge there"});
 }
 
 tl::expected<void, MeshError> refuse_crossings(const SurfaceMesh& mesh) {
@@ -297,15 +392,14 @@ tl::expected<TriangleMesh, MeshError> outer_shells(TriangleMesh mesh, std::vecto
 }  // namespace
 
 tl::expected<ReadMesh, MeshError> read_mesh(const std::string& bytes, const std::string& kind) {
-  MeshReport report;
-  std::vector<bool> turned;
   auto soup = soup_of(bytes, kind);
   if (!soup) return tl::unexpected(soup.error());
-  auto mesh = surface_of(std::move(*soup), turned, report);
-  if (!mesh) return tl::unexpected(mesh.error());
-  if (auto closed = close_holes(*mesh, report); !closed) return tl::unexpected(closed.error());
-  if (auto simple = refuse_crossings(*mesh); !simple) return tl::unexpected(simple.error());
-  auto outer = outer_shells(plain(*mesh), turned, report);
+  auto surface = closest_surface(*soup);
+  if (!surface) return tl::unexpected(surface.error());
+  if (auto closed = close_holes(*surface); !closed) return tl::unexpected(closed.error());
+  if (auto simple = refuse_crossings(surface->mesh); !simple) return tl::unexpected(simple.error());
+  MeshReport report = surface->report;
+  auto outer = outer_shells(plain(surface->mesh), surface->turned, report);
   if (!outer) return tl::unexpected(outer.error());
   report.n_triangles = static_cast<int>(outer->triangles.size());
   return ReadMesh{std::move(*outer), report};

@@ -115,6 +115,56 @@ BOOST_AUTO_TEST_CASE(an_open_deck_and_large_holes_are_named_with_their_places) {
   BOOST_TEST(says(refusal(leaky), "2 holes, "), refusal(leaky));
 }
 
+/// The triangles of a mesh, each with corners of its own, as an STL file has them.
+TriangleMesh apart(const TriangleMesh& mesh) {
+  TriangleMesh result;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int first = static_cast<int>(result.vertices.size());
+    for (const Vec3 v : corners(mesh, t)) result.vertices.push_back(v);
+    result.triangles.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(vertices_that_differ_by_round_off_are_one_where_that_closes_the_mesh) {
+  const TriangleMesh ball = sphere({}, 5.0, 12);
+  for (const auto& [noise, is_read] :
+       {std::pair{1e-15, true}, {1e-9, true}, {1e-7, true}, {5e-6, true}, {1e-3, false}}) {
+    TriangleMesh mesh = apart(ball);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> shift(-noise, noise);
+    for (Vec3& v : mesh.vertices) v += Vec3{shift(random), shift(random), shift(random)};
+    const auto read = read_mesh(off(mesh), "off");
+    BOOST_REQUIRE(read.has_value() == is_read);
+    if (!is_read) continue;
+    BOOST_TEST(read->report.n_joined > 0);
+    BOOST_TEST(read->report.n_holes_filled == 0);
+    BOOST_TEST(signed_volume(read->mesh) == signed_volume(ball), boost::test_tools::tolerance(1e-5));
+  }
+  // Where nothing is open nothing is joined, however close.
+  TriangleMesh thin = box({0.0, 0.0, 0.0}, {1.0, 1.0, 1e-7});
+  BOOST_TEST(read_mesh(off(thin), "off")->report.n_joined == 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_inner_deck_is_named_with_the_edge_where_three_faces_meet) {
+  TriangleMesh decked = kBox;
+  for (const Vec3 v : {Vec3{-10, -2, 0}, {10, -2, 0}, {10, 2, 0}, {-10, 2, 0}}) decked.vertices.push_back(v);
+  // The sides as two storeys, and a deck between them.
+  decked.triangles.erase(decked.triangles.begin() + 4, decked.triangles.end());
+  for (const int low : {0, 8})
+    for (int i = 0; i < 4; ++i) {
+      const int next = (i + 1) % 4, high = low == 0 ? 8 : 4;
+      decked.triangles.push_back({low + i, low + next, high + next});
+      decked.triangles.push_back({low + i, high + next, high + i});
+    }
+  BOOST_TEST(signed_volume(read_mesh(off(decked), "off")->mesh) == 320.0, kExact);
+  decked.triangles.push_back({8, 9, 10});
+  decked.triangles.push_back({8, 10, 11});
+  const std::string what = refusal(decked);
+  BOOST_TEST(says(what, "4 edges in which three faces or more meet, one from ("), what);
+  BOOST_TEST(!says(what, "is open"), what);
+}
+
 BOOST_AUTO_TEST_CASE(a_mesh_that_crosses_itself_is_named_with_places) {
   const TriangleMesh crossed = joined(kBox, box({9.0, -1.0, -2.0}, {12.0, 1.0, 0.5}));
   const std::string what = refusal(crossed);

@@ -11,6 +11,7 @@ namespace brash::structure {
 /// What is known of a mesh after it was read: its repairs, its size and how well the contacts see it.
 struct MeshReport {
   int n_read = 0;            ///< triangles in the file
+  int n_joined = 0;          ///< vertices that lay so close to another one that both are one
   int n_dropped = 0;         ///< of these without area, or there twice
   int n_turned = 0;          ///< that faced inwards
   int n_holes_filled = 0;    ///< small ones
@@ -32,8 +33,8 @@ struct MeshError {
 /// A closed mesh from the bytes of a file, after its repair; coordinates and unit are the file's.
 ///
 /// Equal vertices become one, triangles without area go, all triangles turn outwards, shells inside others go, and
-/// small holes are filled. The repairs are counted. Larger holes and faces that cross each other are errors with
-/// places.
+/// small holes are filled. Vertices within a millionth of the extent become one too, where that closes the mesh. The
+/// repairs are counted. Larger holes, edges with three faces and faces that cross each other are errors with places.
 /// @param kind  "stl", "obj", "ply" or "off".
 struct ReadMesh {
   TriangleMesh mesh;
