@@ -31,7 +31,7 @@ const std::map<std::string, Room> kRooms{
     {"model", {"modules/model", {"core", "geometry"}, {}}},
     {"structure", {"modules/structure", {"core", "model", "hydrodynamics"}, {"CGAL", "Eigen", "clipper"}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core", "model"}, {}}},
-    {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
+    {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet", "CGAL"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
     {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {"CGAL", "Eigen", "json"}}},

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "brash/core/contract.hpp"
+#include "hull_triangles.hpp"
 
 namespace brash::rigid_body {
 namespace {
@@ -29,20 +32,6 @@ std::optional<Plane> plane_through(Vec3 a, Vec3 b, Vec3 c, double tolerance) {
   const double length = norm(n);
   if (length <= tolerance * std::max(norm(b - a), norm(c - a))) return std::nullopt;
   return Plane{n / length, dot(n / length, a)};
-}
-
-/// Whether all points are on one side; turns `plane` so that they are inside.
-bool supports(Plane& plane, std::span<const Vec3> points, double tolerance) {
-  bool inside = false;
-  bool outside = false;
-  for (const Vec3& p : points) {
-    const double distance = dot(plane.normal, p) - plane.offset;
-    inside |= distance < -tolerance;
-    outside |= distance > tolerance;
-    if (inside && outside) return false;
-  }
-  if (outside) plane = {-plane.normal, -plane.offset};
-  return inside || outside;
 }
 
 /// The points of a plane that are on the boundary of their convex hull.
@@ -119,43 +108,99 @@ std::vector<Vec3> distinct(std::span<const Vec3> points, double tolerance) {
   return kept;
 }
 
-/// A face through the point with the least x: there is one.
-Plane first_face(std::span<const Vec3> points, double tolerance) {
-  const auto first = std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.x < b.x; });
-  for (std::size_t j = 0; j < points.size(); ++j)
-    for (std::size_t k = j + 1; k < points.size(); ++k) {
-      std::optional<Plane> plane = plane_through(*first, points[j], points[k], tolerance);
-      if (plane && supports(*plane, points, tolerance)) return *plane;
-    }
-  BRASH_EXPECTS(false, "points in one plane", points.size());
-  return {};
-}
+/// The triangles of a convex hull that lie in one plane, or nearly: a disc.
+struct Patch {
+  Plane plane;            ///< of its largest triangle
+  std::vector<int> loop;  ///< of vertices, counter-clockwise from outside
+  std::vector<char> has;  ///< of each vertex, whether it is in the loop or within
+};
 
-/// The face on the other side of the edge from a to b (counter-clockwise) of `face`: the plane is turned about the edge
-/// until it meets a point.
-Plane face_beyond(const Plane& face, int a, int b, std::span<const Vec3> points, double tolerance) {
-  const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
-  std::optional<Plane> best;
-  for (const Vec3& p : points) {
-    if (dot(face.normal, p) - face.offset >= -tolerance) continue;
-    if (!best || dot(best->normal, p) - best->offset > tolerance) best = plane_through(at(b), at(a), p, tolerance);
+/// Joins triangles to patches, the largest triangle first, across their edges while the next corner lies on the plane.
+/// Each patch stays a disc, so the loops close a solid however the tolerance falls.
+class Patches {
+ public:
+  Patches(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles, double tolerance)
+      : points_(points), triangles_(triangles), tolerance_(tolerance), is_free_(triangles.size(), true) {
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
+      for (int k = 0; k < 3; ++k) across_[{corner(t, k), corner(t, k + 1)}] = t;
   }
-  BRASH_EXPECTS(best.has_value(), a, b);
-  return *best;
-}
+
+  std::vector<Patch> all() {
+    std::vector<int> order(triangles_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::greater<>{}, [&](int t) { return norm(twice_area(t)); });
+    std::vector<Patch> patches;
+    for (const int t : order)
+      if (is_free_[static_cast<std::size_t>(t)]) patches.push_back(grown_from(t));
+    return patches;
+  }
+
+ private:
+  int corner(int t, int k) const { return triangles_[static_cast<std::size_t>(t)][static_cast<std::size_t>(k % 3)]; }
+  Vec3 at(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
+  Vec3 twice_area(int t) const {
+    return cross(at(corner(t, 1)) - at(corner(t, 0)), at(corner(t, 2)) - at(corner(t, 0)));
+  }
+
+  Patch grown_from(int seed) {
+    const Vec3 normal = normalized(twice_area(seed));
+    Patch patch{{normal, dot(normal, at(corner(seed, 0)))}, {}, std::vector<char>(points_.size(), 0)};
+    is_free_[static_cast<std::size_t>(seed)] = false;
+    for (int k = 0; k < 3; ++k) {
+      patch.loop.push_back(corner(seed, k));
+      patch.has[static_cast<std::size_t>(corner(seed, k))] = 1;
+    }
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (std::size_t i = 0; i < patch.loop.size(); ++i) grows |= takes_across(patch, i);
+    }
+    return patch;
+  }
+
+  /// Takes the triangle beyond the edge i of the loop, if it lies in the plane and the patch stays a disc.
+  bool takes_across(Patch& patch, std::size_t i) {
+    std::vector<int>& loop = patch.loop;
+    const auto place = [&](std::size_t k) { return loop[k % loop.size()]; };
+    const int from = place(i), to = place(i + 1), t = across_.at({to, from});
+    if (!is_free_[static_cast<std::size_t>(t)]) return false;
+    int apex = corner(t, 0);
+    for (int k = 1; apex == from || apex == to; ++k) apex = corner(t, k);
+    if (std::abs(dot(patch.plane.normal, at(apex)) - patch.plane.offset) > tolerance_) return false;
+    const std::size_t after = (i + 1) % loop.size(), before = (i + loop.size() - 1) % loop.size();
+    if (patch.has[static_cast<std::size_t>(apex)] == 0) {
+      loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, apex);
+    } else if (loop.size() > 3 && place(i + 2) == apex) {
+      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(after));
+    } else if (loop.size() > 3 && place(before) == apex) {
+      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      return false;
+    }
+    patch.has[static_cast<std::size_t>(apex)] = 1;
+    is_free_[static_cast<std::size_t>(t)] = false;
+    return true;
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const std::array<int, 3>> triangles_;
+  double tolerance_;
+  std::vector<char> is_free_;
+  std::map<std::pair<int, int>, int> across_;  ///< the triangle on the left of each directed edge
+};
 
 /// The points on `plane` in ascending order, and the plane through the first three of them that are not in line: a face
 /// comes out the same from whichever side it was found.
-std::pair<std::vector<int>, Plane> settle(const Plane& plane, std::span<const Vec3> points, double tolerance) {
+std::optional<std::pair<std::vector<int>, Plane>> settle(const Plane& plane, std::span<const Vec3> points,
+                                                         double tolerance) {
   std::vector<int> on = loop_on(plane, points, tolerance);
   std::sort(on.begin(), on.end());
   const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(on[i])]; };
   for (std::size_t j = 1; j < on.size(); ++j)
     for (std::size_t k = j + 1; k < on.size(); ++k)
       if (std::optional<Plane> settled = plane_through(at(0), at(j), at(k), tolerance))
-        return {on, dot(settled->normal, plane.normal) > 0.0 ? *settled : Plane{-settled->normal, -settled->offset}};
-  BRASH_EXPECTS(false, "a face of points in line", on.size());
-  return {};
+        return std::pair{
+            on, dot(settled->normal, plane.normal) > 0.0 ? *settled : Plane{-settled->normal, -settled->offset}};
+  return std::nullopt;
 }
 
 /// Leaves the vertices that are in a face's loop, in their order.
@@ -174,8 +219,8 @@ void keep_corners(ConvexPart& part) {
   part.vertices = std::move(kept);
 }
 
-/// Each edge once: the loops of the faces beside it run along it in opposite directions.
-std::vector<Edge> edges_between(const std::vector<std::vector<int>>& faces) {
+/// Each edge once: the loops of the faces beside it run along it in opposite directions. Nothing where they do not.
+std::optional<std::vector<Edge>> edges_between(const std::vector<std::vector<int>>& faces) {
   struct Side {
     int from, to, face;
     std::pair<int, int> ends() const { return std::minmax(from, to); }
@@ -187,8 +232,11 @@ std::vector<Edge> edges_between(const std::vector<std::vector<int>>& faces) {
   std::sort(sides.begin(), sides.end(),
             [](const Side& p, const Side& q) { return p.ends() != q.ends() ? p.ends() < q.ends() : p.from < q.from; });
   std::vector<Edge> edges;
-  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    BRASH_EXPECTS(sides[i].from == sides[i + 1].to && sides[i].to == sides[i + 1].from, "faces do not close a solid");
+  if (sides.size() % 2 != 0) return std::nullopt;
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const bool is_edge = sides[i].from == sides[i + 1].to && sides[i].to == sides[i + 1].from;
+    const bool is_double = i > 0 && sides[i].ends() == sides[i - 1].ends();
+    if (!is_edge || is_double) return std::nullopt;
     edges.push_back({sides[i].from, sides[i].to, sides[i].face, sides[i + 1].face});
   }
   return edges;
@@ -244,7 +292,7 @@ ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
     part.planes.push_back({{out.x, out.y, 0.0}, dot(out, ring[i])});
     part.faces.push_back({i, j, n + j, n + i});
   }
-  part.edges = edges_between(part.faces);
+  part.edges = edges_between(part.faces).value();
   return part;
 }
 
@@ -254,23 +302,29 @@ ConvexPart convex_hull(std::span<const Vec3> points) {
   ConvexPart part;
   part.vertices = distinct(points, tolerance);
 
-  // From any face across each of its edges, until no face is new. A face is known by its points.
+  const std::vector<std::array<int, 3>> triangles = hull_triangles(part.vertices);
+  BRASH_EXPECTS(!triangles.empty(), "points in one plane", points.size());
+  const std::vector<Patch> patches = Patches(part.vertices, triangles, tolerance).all();
+
+  // A face has all the points on its plane. Where the tolerance leaves it open which these are, faces found so may not
+  // close, and the patches are the faces.
   std::map<std::vector<int>, Plane> faces;
-  std::vector<Plane> open{first_face(part.vertices, tolerance)};
-  while (!open.empty()) {
-    const auto [indices, plane] = settle(open.back(), part.vertices, tolerance);
-    open.pop_back();
-    if (!faces.emplace(indices, plane).second) continue;
-    const std::vector<int> loop = loop_on(plane, part.vertices, tolerance);
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      open.push_back(face_beyond(plane, loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], part.vertices, tolerance));
-  }
+  for (const Patch& patch : patches)
+    if (const auto settled = settle(patch.plane, part.vertices, tolerance)) faces.insert(*settled);
   for (const auto& [indices, plane] : faces) {
     part.planes.push_back(plane);
     part.faces.push_back(loop_on(plane, part.vertices, tolerance));
   }
+  if (!edges_between(part.faces)) {
+    part.planes.clear();
+    part.faces.clear();
+    for (const Patch& patch : patches) {
+      part.planes.push_back(patch.plane);
+      part.faces.push_back(patch.loop);
+    }
+  }
   keep_corners(part);
-  part.edges = edges_between(part.faces);
+  part.edges = edges_between(part.faces).value();
   return part;
 }
 
