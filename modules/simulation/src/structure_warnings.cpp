@@ -12,6 +12,7 @@
 #include "brash/core/constants.hpp"
 #include "brash/structure/floating_body.hpp"
 #include "brash/structure/hull.hpp"
+#include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
 #include "case_warnings.hpp"
 
@@ -254,6 +255,20 @@ void add_angle_warnings(const model::Case& c, Warnings& warnings) {
   if (c.hull.flare) look("hull.flare", *c.hull.flare, kTurned);
 }
 
+/// Floes meet the convex parts of a mesh, and not the mesh itself.
+void add_parts_warning(const model::Shape& shape, Warnings& warnings) {
+  constexpr double kMostError = 0.1;
+  const auto* const mesh = std::get_if<model::Mesh>(&shape);
+  const auto report = mesh != nullptr ? structure::examine(*mesh) : structure::MeshReport{};
+  if (!report || report->parts_error <= kMostError) return;
+  warnings.push_back(
+      {"loose-parts",
+       fmt::format(
+           "floes meet {} convex parts in place of the mesh, and their volume is off by {:.2g} %: floes touch the "
+           "structure where the mesh has none, or not where it has one; make the mesh smoother, or fill its hollows",
+           report->n_parts, 100.0 * report->parts_error)});
+}
+
 }  // namespace
 
 const model::FloatingBody* afloat(const model::Motion& motion) {
@@ -264,6 +279,7 @@ const model::FloatingBody* afloat(const model::Motion& motion) {
 
 void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   add_front_warning(scales, warnings);
+  add_parts_warning(c.structure.shape, warnings);
   add_turn_warning(c.structure.motion, warnings);
   add_angle_warnings(c, warnings);
   add_spring_warning(c, warnings);

@@ -198,6 +198,17 @@ BOOST_AUTO_TEST_CASE(a_convex_hull_is_one_part_and_a_hollow_one_is_cut_into_part
   BOOST_TEST(angle.error <= 0.011);
 }
 
+BOOST_AUTO_TEST_CASE(a_hull_of_many_triangles_is_one_part_of_nearly_its_volume) {
+  // A barge with a flat deck of 160 x 100 places: CGAL alone took half a minute.
+  TriangleMesh mesh = sphere({}, 10.0, 170);
+  for (Vec3& v : mesh.vertices) v = {3.0 * v.x, v.y, std::min(v.z, 2.0)};
+  BOOST_REQUIRE(mesh.vertices.size() > 50'000u);
+  const ConvexBodies bodies = convex_bodies(mesh);
+  BOOST_REQUIRE(bodies.parts.size() == 1u);
+  BOOST_TEST(bodies.parts[0].size() <= 256u);
+  BOOST_TEST(bodies.error < 0.02);
+}
+
 /// Outlines of any pose are simple rings that the exact geometry takes: the bow, stern and legs of what there is.
 BOOST_AUTO_TEST_CASE(outlines_at_any_pose_are_simple_rings) {
   std::mt19937 random(11);
