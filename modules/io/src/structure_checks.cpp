@@ -187,6 +187,15 @@ bool check_legs(const model::StructureSection& s, Checks& checks) {
   return true;
 }
 
+/// A front that is vertical because the mesh is turned, or one that is so on purpose.
+std::string remedy_of_vertical_front(const model::Shape& shape) {
+  const std::string whole = "write false: the ice is whole when the structure comes";
+  const auto* const mesh = std::get_if<model::Mesh>(&shape);
+  const auto report = mesh != nullptr ? structure::examine(*mesh) : structure::MeshReport{};
+  if (!report || report->bearing.doubt.empty()) return whole;
+  return fmt::format("{}, for {}; or, if it is so, {}", report->bearing.remedy, report->bearing.doubt, whole);
+}
+
 /// Ice that slides on the slope ahead, or a vertical front, which crushes ice and breaks none.
 void check_front(const model::Case& c, double slope, Checks& checks) {
   if (slope < structure::kSteepestSlope) {
@@ -202,7 +211,7 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
   if (c.field.kind != model::FieldKind::kLevelIce) return;
   checks.require(!c.field.initial_crack || c.field.initial_crack_radius > 0.0, {"field", "initial_crack"},
                  {"structure", "kind"}, "the structure's front is vertical and bends no ice",
-                 "false, or a field.initial_crack_radius", "write false: the ice is whole when the structure comes");
+                 "false, or a field.initial_crack_radius", remedy_of_vertical_front(c.structure.shape));
 }
 
 /// @param reach   how far the structure reaches ahead of its origin in the ice [m].

@@ -255,12 +255,17 @@ void add_angle_warnings(const model::Case& c, Warnings& warnings) {
   if (c.hull.flare) look("hull.flare", *c.hull.flare, kTurned);
 }
 
-/// Floes meet the convex parts of a mesh, and not the mesh itself.
-void add_parts_warning(const model::Shape& shape, Warnings& warnings) {
-  constexpr double kMostError = 0.1;
+/// A mesh that points another way than its user meant, or whose convex parts, which floes meet in its place, are not
+/// it.
+void add_mesh_warnings(const model::Shape& shape, Warnings& warnings) {
+  constexpr double kMostError = 0.1;  // of the volume
   const auto* const mesh = std::get_if<model::Mesh>(&shape);
   const auto report = mesh != nullptr ? structure::examine(*mesh) : structure::MeshReport{};
-  if (!report || report->parts_error <= kMostError) return;
+  if (!report) return;
+  if (!report->bearing.doubt.empty())
+    warnings.push_back(
+        {"mesh-turned", fmt::format("{}; {}, or leave it if it is so", report->bearing.doubt, report->bearing.remedy)});
+  if (report->parts_error <= kMostError) return;
   warnings.push_back(
       {"loose-parts",
        fmt::format(
@@ -279,7 +284,7 @@ const model::FloatingBody* afloat(const model::Motion& motion) {
 
 void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   add_front_warning(scales, warnings);
-  add_parts_warning(c.structure.shape, warnings);
+  add_mesh_warnings(c.structure.shape, warnings);
   add_turn_warning(c.structure.motion, warnings);
   add_angle_warnings(c, warnings);
   add_spring_warning(c, warnings);

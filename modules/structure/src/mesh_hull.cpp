@@ -52,6 +52,7 @@ MeshBody::MeshBody(TriangleMesh mesh, MeshReport read) : sections(std::move(mesh
     most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
   }
   report.size = most - least;
+  report.bearing = bearing_of(sections);
   tolerance = kOutlineError * norm(report.size);
 }
 

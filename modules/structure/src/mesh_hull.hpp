@@ -8,6 +8,9 @@
 
 namespace brash::structure {
 
+/// Which way a mesh in the water seems to point, as far as it is long enough for a ship.
+Bearing bearing_of(const MeshSections& sections);
+
 /// The parts of a mesh hull that copies share.
 struct MeshBody {
   MeshSections sections;

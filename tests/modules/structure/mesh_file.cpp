@@ -165,6 +165,30 @@ BOOST_AUTO_TEST_CASE(an_inner_deck_is_named_with_the_edge_where_three_faces_meet
   BOOST_TEST(!says(what, "is open"), what);
 }
 
+BOOST_AUTO_TEST_CASE(a_ship_that_is_turned_is_doubted_with_the_key_that_turns_it_back) {
+  // A hull with a pointed bow and sides that flare.
+  const TriangleMesh upright = [] {
+    TriangleMesh mesh = prism({{-15, -4}, {5, -4}, {15, 0}, {5, 4}, {-15, 4}}, -3.0, 2.0);
+    for (Vec3& v : mesh.vertices)
+      if (v.z < 0.0) v.y *= 0.4;
+    return mesh;
+  }();
+  const auto bearing_when = [&](double x, double y, double z, bool swaps) {
+    TriangleMesh mesh = upright;
+    for (Vec3& v : mesh.vertices) v = swaps ? Vec3{x * v.x, y * v.z, z * v.y} : Vec3{x * v.x, y * v.y, z * v.z};
+    if ((x * y * z < 0.0) != swaps)
+      for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+    return bearing_of(MeshSections(mesh));
+  };
+  BOOST_TEST(bearing_when(1, 1, 1, false).doubt == "");
+  BOOST_TEST(says(bearing_when(-1, 1, 1, false).remedy, "structure.heading = \"180 deg\""));
+  BOOST_TEST(says(bearing_when(1, 1, -1, false).remedy, "structure.heel = \"180 deg\""));
+  BOOST_TEST(says(bearing_when(1, 1, 1, true).remedy, "structure.heel = \"90 deg\""));
+  BOOST_TEST(says(bearing_when(1, -1, 1, true).remedy, "structure.heel = \"-90 deg\""));
+  BOOST_TEST(bearing_of(MeshSections(sphere({}, 5.0, 12))).doubt == "");
+  BOOST_TEST(bearing_of(MeshSections(kBox)).doubt == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_mesh_that_crosses_itself_is_named_with_places) {
   const TriangleMesh crossed = joined(kBox, box({9.0, -1.0, -2.0}, {12.0, 1.0, 0.5}));
   const std::string what = refusal(crossed);

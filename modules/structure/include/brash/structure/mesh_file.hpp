@@ -8,6 +8,12 @@
 
 namespace brash::structure {
 
+/// Whether a mesh seems to be turned in a way that its user did not mean.
+struct Bearing {
+  std::string doubt;   ///< a sentence; empty: it does not
+  std::string remedy;  ///< the key that turns it
+};
+
 /// What is known of a mesh after it was read: its repairs, its size and how well the contacts see it.
 struct MeshReport {
   int n_read = 0;            ///< triangles in the file
@@ -21,6 +27,7 @@ struct MeshReport {
   int n_parts = 0;           ///< convex bodies that stand for the hull in contacts with floes
   double parts_error = 0.0;  ///< their volume beyond the hull's and short of it, over the hull's volume [-]
   Vec3 size{};               ///< in the water as its pose says [m]
+  Bearing bearing{};         ///< in the water as its pose says
 };
 
 /// Why a mesh is no hull. Places are in the file's own coordinates.
