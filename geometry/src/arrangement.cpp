@@ -211,6 +211,25 @@ SheetChange Arrangement::sheet_change() const {
   return result;
 }
 
+namespace {
+
+/// The half-edges with ice on their left alone, linked to loops.
+template <typename HasIce>
+FreeEdges::Change edges_with_ice(PlanarMap& map, const std::vector<Point>& nodes, HasIce&& has_ice) {
+  FreeEdges::Change change;
+  for (const Edge h : map.halfedge_handles()) {
+    if (!has_ice(h)) continue;
+    h->set_data(~static_cast<int>(change.added.size()));
+    change.added.push_back({nodes[h->source()->data()], nodes[h->target()->data()]});
+  }
+  for (const HalfEdge h : map.halfedge_handles()) {
+    if (has_ice(h)) change.links.push_back({h->data(), next_active(h, has_ice)->data()});
+  }
+  return change;
+}
+
+}  // namespace
+
 tl::expected<FreeEdges::Change, OverlapError> boundary_of(const std::vector<Point>& nodes,
                                                           const std::vector<NodedEdge>& edges) {
   NodedMap noded(nodes, edges);
@@ -224,17 +243,19 @@ tl::expected<FreeEdges::Change, OverlapError> boundary_of(const std::vector<Poin
     fault = {ice > 1 ? "ice overlaps" : "there is no ice for a hole", from(h)};
   }
   if (fault) return tl::unexpected(*fault);
-  FreeEdges::Change change;
-  const auto has_ice = [](HalfEdge h) { return sheet(h) > 0; };
-  for (const Edge h : noded.map.halfedge_handles()) {
-    if (!has_ice(h)) continue;
-    h->set_data(~static_cast<int>(change.added.size()));
-    change.added.push_back({from(h), nodes[h->target()->data()]});
-  }
-  for (const HalfEdge h : noded.map.halfedge_handles()) {
-    if (has_ice(h)) change.links.push_back({h->data(), next_active(h, has_ice)->data()});
-  }
-  return change;
+  return edges_with_ice(noded.map, nodes, [](HalfEdge h) { return sheet(h) > 0; });
+}
+
+Coverage coverage_of(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges) {
+  NodedMap noded(nodes, edges);
+  cover_faces(noded.map, &FaceLabel::ice, sheet);
+  Coverage coverage;
+  for (const HalfEdge h : noded.map.halfedge_handles())
+    if (const int times = h->face()->data().ice; times != 0)
+      coverage.twice_areas[times] += exact::cross(nodes[h->source()->data()], nodes[h->target()->data()]);
+  coverage.boundary = edges_with_ice(
+      noded.map, nodes, [](HalfEdge h) { return h->face()->data().ice > 0 && h->twin()->face()->data().ice <= 0; });
+  return coverage;
 }
 
 }  // namespace brash::geometry

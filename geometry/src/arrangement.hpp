@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <tl/expected.hpp>
 #include <vector>
@@ -67,5 +68,14 @@ struct OverlapError {
 /// The free edges that `edges` between `nodes` make, the ice on their left; or where ice lies twice or on no side.
 tl::expected<FreeEdges::Change, OverlapError> boundary_of(const std::vector<Point>& nodes,
                                                           const std::vector<NodedEdge>& edges);
+
+/// How often polygons cover the plane.
+struct Coverage {
+  FreeEdges::Change boundary;         ///< of all that is covered at least once
+  std::map<int, Int128> twice_areas;  ///< of what is covered so many times; 0 is left out
+};
+
+/// The coverage by rings of `edges` between `nodes`, their inside on the left.
+Coverage coverage_of(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges);
 
 }  // namespace brash::geometry

@@ -51,13 +51,21 @@ void sort_by_outline(std::vector<Polygon>& polygons) {
   std::sort(polygons.begin(), polygons.end(), [](const Polygon& a, const Polygon& b) { return a.outline < b.outline; });
 }
 
-}  // namespace
-
-std::vector<Polygon> IceSheet::polygons() const {
+std::vector<Polygon> polygons_within(const FreeEdges& boundary) {
   std::vector<Polygon> polygons;
-  for (const auto& [outline, part] : parts_of(impl_->boundary)) polygons.push_back(polygon_of(impl_->boundary, part));
+  for (const auto& [outline, part] : parts_of(boundary)) polygons.push_back(polygon_of(boundary, part));
   sort_by_outline(polygons);
   return polygons;
+}
+
+}  // namespace
+
+std::vector<Polygon> IceSheet::polygons() const { return polygons_within(impl_->boundary); }
+
+std::vector<Polygon> polygons_of(const FreeEdges::Change& boundary) {
+  FreeEdges edges;
+  edges.apply(boundary);
+  return polygons_within(edges);
 }
 
 std::vector<Polygon> IceSheet::release_detached() {

@@ -19,4 +19,7 @@ void expect_region(std::span<const Point> ring);
 
 Polygon polygon_of(const Arrangement::Piece& piece);
 
+/// The connected parts of a boundary that is made of nothing but these edges, as of IceSheet::polygons().
+std::vector<Polygon> polygons_of(const FreeEdges::Change& boundary);
+
 }  // namespace brash::geometry

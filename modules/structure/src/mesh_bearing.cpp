@@ -22,7 +22,7 @@ constexpr double kNearEnd = 0.05;
 /// How much wider than the back the front of a ship may be there [-].
 constexpr double kWider = 1.5;
 /// A ship's centre of buoyancy lies higher above the keel, over the draught [-].
-constexpr double kLowBuoyancy = 0.47;
+constexpr double kLowBuoyancy = 0.485;
 
 struct Box {
   Vec3 least, most;
