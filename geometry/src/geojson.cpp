@@ -26,6 +26,7 @@ class Reader {
   tl::expected<std::vector<Feature>, GeometryError> features() {
     read();
     if (error_) return tl::unexpected(*error_);
+    mend_round_off(features_, left_out_);
     return std::move(features_);
   }
   /// The same; ice of its own that a feature cannot have is a fault.
@@ -218,17 +219,19 @@ class Reader {
   void read_polygon(const JsonNode& rings, Feature feature) {
     if (error_) return;
     if (rings.kind != Kind::kArray || rings.items.empty()) return fail(rings, "an array of rings is expected");
+    feature.number = n_polygons_++;
     for (const JsonNode& node : rings.items) {
       const bool is_hole = &node != &rings.items.front();
       Ring ring = read_ring(node, is_hole);
       if (error_) return;
+      if (is_hole && ring.empty()) continue;
       if (is_hole) {
         feature.polygon.holes.push_back(std::move(ring));
       } else {
         feature.polygon.outline = std::move(ring);
       }
     }
-    features_.push_back(std::move(feature));
+    if (!feature.polygon.outline.empty()) features_.push_back(std::move(feature));
   }
 
   static Coordinate coordinate_of(const JsonNode& number) {
@@ -265,7 +268,10 @@ class Reader {
     const std::vector<Position> positions = positions_of(node, "a ring");
     if (error_ || ground_.survey != nullptr) return {};
     auto ring = ring_from_text(positions, is_hole, ground_.origin);
-    if (ring) return *std::move(ring);
+    if (ring) {
+      left_out_.n_thin += ring->empty() ? 1 : 0;
+      return *std::move(ring);
+    }
     fail(node, ring.error());
     return {};
   }
@@ -275,6 +281,7 @@ class Reader {
   Ground ground_;
   bool wants_lines_ = false, checks_ice_ = false;
   std::int64_t n_features_ = 0;
+  std::size_t n_polygons_ = 0;
   LeftOut left_out_;
   Lines lines_;
   std::vector<Feature> features_;

@@ -23,6 +23,15 @@ Ring ring(const std::vector<Point>& points) {
   return result;
 }
 
+/// Whether the digits of the positions say no more than the grid holds.
+bool are_on_grid(std::span<const Position> positions, const std::vector<Point>& points, const Origin& origin) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (Decimal::of_grid_units(points[i].x, origin.x) != *positions[i].x) return false;
+    if (Decimal::of_grid_units(points[i].y, origin.y) != *positions[i].y) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 GeometryError error_at(std::string_view text, std::size_t offset, std::string_view what) {
@@ -85,8 +94,10 @@ tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positio
     return tl::unexpected(std::string("the ring is not closed: its last position is not its first"));
   }
   Ring result = ring(*points);
+  const bool is_flat = result.size() < 3 || signed_area(result) == ExactArea{};
+  if (is_flat && !are_on_grid(positions, *points, origin)) return Ring{};
   if (result.size() < 3) return tl::unexpected(std::string("the ring has fewer than 3 different vertices"));
-  if (signed_area(result) == ExactArea{}) return tl::unexpected(std::string("the ring has no area"));
+  if (is_flat) return tl::unexpected(std::string("the ring has no area"));
   if (is_hole) std::reverse(result.begin() + 1, result.end());
   return result;
 }
@@ -112,7 +123,28 @@ std::string LeftOut::to_string() const {
   add(n_heights, "heights");
   add(n_features, "features without geometry");
   add(n_ids, "ids that are no whole numbers");
+  add(n_thin, "rings thinner than the grid of 1 nm");
+  add(n_mended, "slivers where rounding made an outline cross itself");
+  if (n_mended > 0) text.insert(text.size() - 1, fmt::format(", {:.2g} m2", mended.square_metres()));
   return text;
+}
+
+void mend_round_off(std::vector<Feature>& features, LeftOut& left_out) {
+  std::vector<Feature> result;
+  for (Feature& feature : features) {
+    const auto mended = fault_of(feature.polygon).empty() ? std::nullopt : without_round_off(feature.polygon);
+    if (!mended) {
+      result.push_back(std::move(feature));
+      continue;
+    }
+    ++left_out.n_mended;
+    left_out.mended += mended->changed;
+    for (const Polygon& part : mended->parts) {
+      result.push_back(feature);
+      result.back().polygon = part;
+    }
+  }
+  features = std::move(result);
 }
 
 std::string fault_of(const Polygon& polygon) {

@@ -24,12 +24,10 @@ class Reader {
       : text_(text), ground_(ground), at_(text.size() - without_byte_order_mark(text).size()) {}
 
   tl::expected<Map, GeometryError> map() {
-    auto polygons = all<Polygon>("POLYGON", [this](std::vector<Polygon>& read) { read_polygon(read); });
-    if (!polygons) return tl::unexpected(std::move(polygons).error());
-    Map map{{}, {}, crs(), false, left_out_.to_string()};
-    for (Polygon& polygon : *polygons)
-      map.features.push_back({std::move(polygon), "sheet", static_cast<std::int64_t>(map.features.size())});
-    return map;
+    auto features = all<Feature>("POLYGON", [this](std::vector<Feature>& read) { read_polygon(read); });
+    if (!features) return tl::unexpected(std::move(features).error());
+    mend_round_off(*features, left_out_);
+    return Map{*std::move(features), {}, crs(), false, left_out_.to_string()};
   }
   tl::expected<Lines, GeometryError> lines() {
     Lines lines;
@@ -146,15 +144,19 @@ class Reader {
     expect(')');
   }
 
-  void read_polygon(std::vector<Polygon>& polygons) {
-    Polygon polygon;
+  void read_polygon(std::vector<Feature>& features) {
+    Feature feature{{}, "sheet", n_polygons_};
+    feature.number = static_cast<std::size_t>(n_polygons_++);
     expect('(');
     if (error_) return;
-    polygon.outline = read_ring(false);
-    while (!error_ && accept(','))
-      if (!accept_empty()) polygon.holes.push_back(read_ring(true));
+    feature.polygon.outline = read_ring(false);
+    while (!error_ && accept(',')) {
+      if (accept_empty()) continue;
+      Ring hole = read_ring(true);
+      if (!hole.empty()) feature.polygon.holes.push_back(std::move(hole));
+    }
     expect(')');
-    polygons.push_back(std::move(polygon));
+    if (!feature.polygon.outline.empty()) features.push_back(std::move(feature));
   }
 
   /// The first position of a geometry decides how many numbers each has: a missing comma is no height.
@@ -189,7 +191,10 @@ class Reader {
     const std::vector<Position> positions = read_positions();
     if (error_ || ground_.survey != nullptr) return {};
     auto result = ring_from_text(positions, is_hole, ground_.origin);
-    if (result) return *std::move(result);
+    if (result) {
+      left_out_.n_thin += result->empty() ? 1 : 0;
+      return *std::move(result);
+    }
     fail_at(start, result.error());
     return {};
   }
@@ -234,6 +239,7 @@ class Reader {
   int n_ordinates_ = 0;  ///< of a position of the geometry here; 0: none is read
   std::string code_;     ///< of EPSG, of the geometries
   LeftOut left_out_;
+  std::int64_t n_polygons_ = 0;
   std::optional<GeometryError> error_;
 };
 

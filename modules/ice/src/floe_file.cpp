@@ -115,14 +115,17 @@ GivenIce given_ice(const Json& feature, std::size_t number, const std::string& p
           property(feature, number, "flexural_strength", 1e-3, 1e8, "Pa", path)};
 }
 
-/// Adds the properties of the features of a text that read_polygons() has read.
-void add_properties(const std::string& text, const std::string& path, std::vector<GivenFloe>& floes) {
+/// Adds the properties of the features of a text.
+/// @param read  the polygons of the text, one a floe.
+void add_properties(const std::string& text, const std::string& path, const std::vector<geometry::Feature>& read,
+                    std::vector<GivenFloe>& floes) {
   const Json features = features_in(Json::parse(text));
-  std::size_t floe = 0, number = 0;
+  std::size_t floe = 0, n_before = 0, number = 0;
   for (const Json& feature : features) {
     expect_known_letters(feature, number, path);
     const GivenIce ice = given_ice(feature, number, path);
-    for (std::size_t n = n_polygons(feature.value("geometry", Json())); n > 0 && floe < floes.size(); --n, ++floe) {
+    n_before += n_polygons(feature.value("geometry", Json()));
+    for (; floe < floes.size() && read[floe].number < n_before; ++floe) {
       floes[floe].thickness = ice.thickness;
       floes[floe].flexural_strength = ice.flexural_strength;
     }
@@ -153,11 +156,11 @@ std::vector<geometry::Polygon> read_outlines(const std::string& path, Vec2 origi
 
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field) {
   const std::string text = read_characters(path, "file of floes");
-  std::vector<geometry::Polygon> polygons = polygons_of(text, path, field.origin);
-  expect_no_overlap(polygons, path);
+  const std::vector<geometry::Feature> features = features_of(text, path, field.origin);
+  expect_no_overlap(geometry::polygons_of(features), path);
   std::vector<GivenFloe> floes;
-  for (geometry::Polygon& polygon : polygons) floes.push_back({std::move(polygon), {}, {}});
-  if (geometry::is_json(text)) add_properties(text, path, floes);
+  for (const geometry::Feature& feature : features) floes.push_back({feature.polygon, {}, {}});
+  if (geometry::is_json(text)) add_properties(text, path, features, floes);
   expect_in_field(floes, field, path);
   return floes;
 }
@@ -176,14 +179,10 @@ std::vector<GivenIce> read_given_ice(const std::string& path) {
 GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field) {
   const std::string text = read_characters(path, "file of level ice");
   const std::vector<geometry::Feature> features = features_of(text, path, field.origin);
-  std::vector<geometry::Polygon> polygons;
   std::vector<GivenFloe> all;
-  for (const geometry::Feature& feature : features) {
-    polygons.push_back(feature.polygon);
-    all.push_back({feature.polygon, {}, {}});
-  }
-  expect_no_overlap(polygons, path);
-  if (geometry::is_json(text)) add_properties(text, path, all);
+  for (const geometry::Feature& feature : features) all.push_back({feature.polygon, {}, {}});
+  expect_no_overlap(geometry::polygons_of(features), path);
+  if (geometry::is_json(text)) add_properties(text, path, features, all);
   expect_in_field(all, field, path);
   GivenLevelIce ice;
   for (std::size_t i = 0; i < all.size(); ++i) {

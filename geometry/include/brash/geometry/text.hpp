@@ -48,8 +48,13 @@ struct Feature {
   std::int64_t id = 0;
   /// Properties of a floe with ice of its own, [m] and [Pa].
   std::optional<double> thickness{}, flexural_strength{};
+  /// Which polygon of its text it is of, from 0; no part of its value.
+  std::size_t number = 0;
 
-  friend bool operator==(const Feature&, const Feature&) = default;
+  friend bool operator==(const Feature& a, const Feature& b) {
+    return a.polygon == b.polygon && a.kind == b.kind && a.id == b.id && a.thickness == b.thickness &&
+           a.flexural_strength == b.flexural_strength;
+  }
 };
 
 /// Polygons with their place on the earth.
@@ -103,9 +108,10 @@ std::string map_to_geojson(const Map& map);
 /// without geometry; another geometry is an error.
 ///
 /// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and
-/// is then rounded to the grid. Rings must be closed (the last position equals the first) and keep an area on the grid;
-/// either orientation is read, outlines come out counter-clockwise and holes clockwise. IceSheet::from_polygons checks
-/// that rings neither cross nor overlap.
+/// is then rounded to the grid. Rings must be closed (the last position equals the first) and have an area; either
+/// orientation is read, outlines come out counter-clockwise and holes clockwise. Where rounding alone makes an outline
+/// cross itself, it is made simple (without_round_off()); where it leaves a ring no area, the ring is left out. Both
+/// are counted in left_out. IceSheet::from_polygons checks that rings neither cross nor overlap.
 ///
 /// @return the map, or the error: "line L, column C: ...", both from 1, columns in bytes.
 tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin = {});
