@@ -267,6 +267,7 @@ class Reader {
   Ring read_ring(const JsonNode& node, bool is_hole) {
     const std::vector<Position> positions = positions_of(node, "a ring");
     if (error_ || ground_.survey != nullptr) return {};
+    if (!is_hole) ground_.go_to(positions);
     auto ring = ring_from_text(positions, is_hole, ground_.origin);
     if (ring) {
       left_out_.n_thin += ring->empty() ? 1 : 0;
@@ -374,24 +375,37 @@ bool is_json(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin) {
+namespace {
+
+/// @param with_ice  whether the ice of features is checked too.
+tl::expected<Map, GeometryError> polygons_on(std::string_view text, const Ground& ground, bool with_ice) {
   Map map;
   if (is_json(text)) {
     const tl::expected<JsonNode, GeometryError> root = parse_json(text);
     if (!root) return tl::unexpected(root.error());
     auto crs = Reader(text, *root, {}).crs();
     if (!crs) return tl::unexpected(std::move(crs).error());
-    Reader reader(text, *root, {origin});
-    auto features = reader.features();
+    Reader reader(text, *root, ground);
+    auto features = with_ice ? reader.features_with_ice() : reader.features();
     if (!features) return tl::unexpected(std::move(features).error());
     map = {*std::move(features), {}, *std::move(crs), false, reader.left_out()};
   } else {
-    auto read = map_of_wkt(text, {origin});
+    auto read = map_of_wkt(text, ground);
     if (!read) return read;
     map = *std::move(read);
   }
-  map.origin = origin;
+  map.origin = ground.origin;
   return map;
+}
+
+}  // namespace
+
+tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin) {
+  return polygons_on(text, {origin}, false);
+}
+
+tl::expected<Map, GeometryError> read_shapes(std::string_view text) {
+  return polygons_on(text, {.origin = {}, .survey = nullptr, .is_own = true}, true);
 }
 
 tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin) {

@@ -66,6 +66,13 @@ Origin Survey::origin() const {
   return {middle(low().x, high().x), middle(low().y, high().y)};
 }
 
+void Ground::go_to(std::span<const Position> outline) {
+  if (!is_own) return;
+  Survey around;
+  around.add(outline);
+  origin = around.origin();
+}
+
 tl::expected<std::vector<Point>, std::string> points_from_text(std::span<const Position> positions,
                                                                const Origin& origin) {
   std::vector<Point> points;

@@ -61,6 +61,10 @@ struct LeftOut {
 struct Ground {
   Origin origin;
   Survey* survey = nullptr;  ///< where set, nothing else is done
+  bool is_own = false;       ///< whether each polygon has an origin of its own, by its outline
+
+  /// Goes to an outline, if each has a ground of its own.
+  void go_to(std::span<const Position> outline);
 };
 
 /// The grid points of `positions`, or the first position beyond kMaxCoordinate of the origin, in words.

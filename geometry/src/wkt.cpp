@@ -190,6 +190,7 @@ class Reader {
     const std::size_t start = at_;
     const std::vector<Position> positions = read_positions();
     if (error_ || ground_.survey != nullptr) return {};
+    if (!is_hole) ground_.go_to(positions);
     auto result = ring_from_text(positions, is_hole, ground_.origin);
     if (result) {
       left_out_.n_thin += result->empty() ? 1 : 0;

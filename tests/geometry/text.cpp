@@ -257,6 +257,25 @@ BOOST_AUTO_TEST_CASE(bare_geometries_collections_and_foreign_members_are_read) {
   BOOST_TEST((features.at(2).kind == "floe" && features.at(2).id == 1));
 }
 
+BOOST_AUTO_TEST_CASE(shapes_of_a_map_that_is_wider_than_a_grid_are_read) {
+  const std::string wkt =
+      "POLYGON ((500000 7000000, 500040 7000000, 500040 7000020, 500000 7000020, 500000 7000000), "
+      "(500010 7000005, 500020 7000005, 500020 7000010, 500010 7000005)) POLYGON ((600000.1 7100000, 600003.1 7100000, "
+      "600000.1 7100002, 600000.1 7100000))";
+  const std::string json = R"({"type":"MultiPolygon","coordinates":[[[[500000,7000000],[500040,7000000],)"
+                           R"([500040,7000020],[500000,7000020],[500000,7000000]],[[500010,7000005],[500020,7000005],)"
+                           R"([500020,7000010],[500010,7000005]]],[[[600000.1,7100000],[600003.1,7100000],)"
+                           R"([600000.1,7100002],[600000.1,7100000]]]]})";
+  BOOST_TEST(!read_map(wkt).has_value());
+  for (const std::string& text : {wkt, json}) {
+    const auto shapes = polygons_of(read_shapes(text).value().features);
+    BOOST_REQUIRE(shapes.size() == 2u);
+    BOOST_TEST(area(shapes[0]).to_string() == "775");
+    BOOST_TEST(std::abs(area(shapes[1]).square_metres() - 3.0) < 1e-8);
+  }
+  BOOST_TEST(!read_shapes("POLYGON ((0 0, 17000 0, 0 1, 0 0))").has_value());
+}
+
 BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_in("").starts_with("line 1, column 1: "));
   BOOST_TEST(fault_in("{\"type\":\n  oops}").starts_with("line 2, column 3: "));

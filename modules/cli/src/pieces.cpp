@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/geometry/caliper.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/io/origin.hpp"
@@ -56,7 +57,10 @@ PieceSizes sizes_of_run(const std::string& file, bool born) {
 }
 
 PieceSizes sizes_of_map(const std::string& file) {
-  const geometry::Map map = read_map_file(file, std::nullopt);
+  const auto read = geometry::read_shapes(read_characters(file, "a map (WKT or GeoJSON)", kMostMebibytes));
+  if (!read) refuse_polygons(file, read.error().what);
+  say_left_out(file, read->left_out);
+  const geometry::Map& map = *read;
   const bool has_floes = std::ranges::any_of(map.features, [](const auto& f) { return f.kind == "floe"; });
   std::vector<geometry::Polygon> polygons;
   for (const geometry::Feature& f : map.features) {

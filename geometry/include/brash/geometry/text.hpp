@@ -116,6 +116,10 @@ std::string map_to_geojson(const Map& map);
 /// @return the map, or the error: "line L, column C: ...", both from 1, columns in bytes.
 tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin = {});
 
+/// The same with every polygon on a grid of its own: shapes and areas are right, and places mean nothing. So a map may
+/// be as wide as it likes, and each of its polygons as wide as a grid.
+tl::expected<Map, GeometryError> read_shapes(std::string_view text);
+
 /// The polygons of features, in their order.
 std::vector<Polygon> polygons_of(std::span<const Feature> features);
 
