@@ -22,6 +22,7 @@
 #include "crack_run.hpp"
 #include "file_name.hpp"
 #include "map_file.hpp"
+#include "map_union.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
@@ -127,7 +128,7 @@ std::string ledger_text(const CrackRun& run, const Origin& origin) {
 struct CrackOptions {
   std::string sheet, events, cutters, lines, output, origin;
   int sides = 16;
-  bool release_detached = false;
+  bool release_detached = false, unites = false;
 };
 
 /// The vertices of a circle of `sides` chords must not fall together on the grid.
@@ -139,11 +140,11 @@ void refuse_small_circle(const std::string& path, double radius, int sides) {
 }
 
 void refuse_other_than_one_cut(const CrackOptions& options) {
-  const auto n_given = !options.events.empty() + !options.cutters.empty() + !options.lines.empty();
+  const auto n_given = !options.events.empty() + !options.cutters.empty() + !options.lines.empty() + options.unites;
   if (n_given == 1) return;
-  throw InputError(Complaint{"crack", n_given == 0 ? "nothing to cut with" : "two things to cut with",
-                             "one of --events FILE.csv, --cutters FILE.wkt and --along LINES.wkt",
-                             "give one of the three"});
+  throw InputError(Complaint{"crack", n_given == 0 ? "nothing to do" : "two things to do",
+                             "one of --events FILE.csv, --cutters FILE.wkt, --along LINES.wkt and --union",
+                             "give one of the four"});
 }
 
 /// Counts the cuts of a file that miss their aim.
@@ -207,6 +208,12 @@ void crack(const CrackOptions& options) {
   if (!options.output.empty()) check_map_name(options.output);
   SheetFile sheet{options.sheet, read_map_file(options.sheet, origin_option("crack", options.origin))};
   geometry::Map& map = sheet.map;
+  if (options.unites) {
+    const std::string ledger = unite_map(options.sheet, map);
+    if (!options.output.empty()) write_map_file(options.output, map);
+    print_data(ledger + "\n");
+    return say_place(options.sheet, map, !options.origin.empty());
+  }
   refuse_crossed_floes(options.sheet, map.features);
   CrackRun run(sheet_of(options.sheet, map.features), map.features);
   apply_cuts(options, sheet, run);
@@ -297,6 +304,7 @@ void add_crack_command(CLI::App& app) {
   auto* const along =
       command->add_option("--along,--cracks", options->lines,
                           "lines (WKT or GeoJSON) that split sheet and floes; every part becomes a floe");
+  command->add_flag("--union", options->unites, "unite the polygons of the sheet, and of the floes; cuts nothing");
   command->add_option("-o,--output", options->output,
                       "sheet and floes to write (.geojson, or .wkt without their kinds)");
   command->add_option(
@@ -314,7 +322,8 @@ void add_crack_command(CLI::App& app) {
   command->footer(
       "Prints the ledger as JSON, areas in m2 as exact text.\n"
       "Example: brash crack --sheet sheet.wkt --events events.csv -o pieces.geojson\n"
-      "         brash crack --sheet floes.geojson --along lines.wkt -o pieces.geojson");
+      "         brash crack --sheet floes.geojson --along lines.wkt -o pieces.geojson\n"
+      "         brash crack --sheet scenes.geojson --union -o ice.geojson");
   command->callback([options] { crack(*options); });
 }
 

@@ -41,7 +41,7 @@ Unit unit_from(const std::string& text, const std::string& path) {
   try {
     const Json tree = Json::parse(text);
     if (tree.at("format") != kFormat) throw std::runtime_error("is not of this version");
-    Unit unit{model::from_tree(tree.at("case")), {}, tree.at("token"), tree.at("velocity_from_poses")};
+    Unit unit{model::from_tree(tree.at("case")), {}, tree.at("token"), tree.value("velocity_from_poses", false)};
     unit.resolved.name = tree.at("name");
     for (const Json& parameter : tree.at("parameters")) unit.parameters.push_back(parameter_from(parameter));
     return unit;

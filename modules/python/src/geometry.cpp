@@ -9,6 +9,7 @@
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
+#include "brash/geometry/unite.hpp"
 #include "convert.hpp"
 #include "polygons.hpp"
 #include "rooms.hpp"
@@ -136,6 +137,16 @@ geometry::Trapezoid fit(const py::object& ice, const py::object& at, const py::o
   return geometry::fit_trapezoid(edges, request);
 }
 
+geometry::Union unite_polygons(const py::object& polygons) {
+  const std::vector<Polygon> given = to_polygons(polygons, "polygons");
+  auto result = [&] {
+    const Released release;
+    return geometry::unite(given);
+  }();
+  if (!result) throw InputError("polygons: " + result.error().what);
+  return *std::move(result);
+}
+
 py::list rings_of(std::span<const geometry::Ring> rings) {
   py::list out;
   for (const geometry::Ring& ring : rings) out.append(to_array(ring));
@@ -219,6 +230,19 @@ void add_values(py::module_& m) {
           "snap", [](const Cut& c) { return fraction(c.snap); },
           "Area that rounding to the grid moved out of the ice, a Fraction [m2].")
       .def_readonly("n_rounded", &Cut::n_rounded, "Crossings that became new vertices.");
+  py::class_<geometry::Union>(m, "Union", "A union of polygons: given = united + overlap + snap, exactly.")
+      .def_readonly("polygons", &geometry::Union::polygons, "Simple and apart, but for common vertices.")
+      .def_property_readonly(
+          "given", [](const geometry::Union& u) { return fraction(u.given); }, "Of all polygons, a Fraction [m2].")
+      .def_property_readonly(
+          "united", [](const geometry::Union& u) { return fraction(u.united); }, "Of the union, a Fraction [m2].")
+      .def_property_readonly(
+          "overlap", [](const geometry::Union& u) { return fraction(u.overlap); },
+          "Of places that c polygons cover, c - 1 times, a Fraction [m2].")
+      .def_property_readonly(
+          "snap", [](const geometry::Union& u) { return fraction(u.snap); },
+          "Area that rounding to the grid moved out of the polygons, a Fraction [m2].")
+      .def_readonly("n_rounded", &geometry::Union::n_rounded, "Crossings that became new vertices.");
   py::class_<geometry::Trapezoid>(m, "Trapezoid", "The ice in front of a contact as the paper's trapezoid (Fig. 2).")
       .def_readonly("depth", &geometry::Trapezoid::depth, "b [m]")
       .def_readonly("contact_length", &geometry::Trapezoid::contact_length, "c [m]")
@@ -319,6 +343,8 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
       .def("__repr__", [](const SharedSheet& s) {
         return fmt::format("<brash.IceSheet of {:.6g} m2, {} vertices>", s.area().square_metres(), s.n_vertices());
       });
+  m.def("unite", &unite_polygons, py::arg("polygons"),
+        "Unites polygons, which may overlap, touch or be there twice; each is simple. `polygons`: as of IceSheet.");
   m.def("fit_trapezoid", &fit, py::arg("ice"), py::arg("at"), py::arg("towards"), py::arg("reach"),
         py::arg("contact_length") = 0.0,
         "Fits the trapezoid (b, c, theta) to the free edge of a sheet, or to polylines with the ice on their left.\n\n"

@@ -148,6 +148,38 @@ geometry::Polygon polygon_in(std::string_view text) {
   return geometry::read_polygons(text).value().features.front().polygon;
 }
 
+BOOST_FIXTURE_TEST_CASE(a_union_prints_its_ledger_and_keeps_the_kinds_apart, Folder) {
+  const std::string map = write("map.geojson", geometry::to_geojson(std::vector<geometry::Feature>{
+                                                   {polygon_in("POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0))"), "sheet", 0},
+                                                   {polygon_in("POLYGON ((1 -1, 2 -1, 2 5, 1 5, 1 -1))"), "sheet", 1},
+                                                   {polygon_in("POLYGON ((3 0, 6 0, 6 2, 3 2, 3 0))"), "floe", 2},
+                                                   {polygon_in("POLYGON ((6 0, 7 0, 7 2, 6 2, 6 0))"), "floe", 3}}));
+  const auto ledger = output_of(*this, {"crack", "--sheet", map, "--union", "-o", (path / "united.geojson").string()});
+  BOOST_TEST(ledger["given"] == "22");
+  BOOST_TEST(ledger["united"] == "20");
+  BOOST_TEST(ledger["overlap"] == "2");
+  BOOST_TEST(ledger["missing"] == "0");
+  BOOST_TEST(ledger["n_polygons"] == 2);
+  const geometry::Map united = geometry::read_polygons(read("united.geojson")).value();
+  BOOST_REQUIRE(united.features.size() == 2u);
+  BOOST_TEST(united.features[0].kind == "sheet");
+  BOOST_TEST(geometry::area(united.features[1].polygon).to_string() == "8");
+  BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", map, "--union", "--along", map}), InputError,
+                        [](const InputError& e) { return names(e, "--union"); });
+  const std::string bow = write("bow.wkt", "POLYGON ((0 0, 3 2, 3 0, 0 1, 0 0))");
+  BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", bow, "--union"}), InputError,
+                        [](const InputError& e) { return names(e, "polygon 1"); });
+}
+
+BOOST_FIXTURE_TEST_CASE(pieces_reads_a_map_that_is_wider_than_a_grid, Folder) {
+  const std::string wide = write("wide.wkt",
+                                 "POLYGON ((0 0, 20 0, 20 20, 0 20, 0 0)) POLYGON ((90000 0, 90010 0, 90010 10, 90000 "
+                                 "10, 90000 0)) POLYGON ((0 50000, 5 50000, 5 50005, 0 50005, 0 50000))");
+  const auto found = output_of(*this, {"pieces", wide, "--json"});
+  BOOST_TEST(found["n"] == 3);
+  BOOST_TEST(found["area"] == 525.0);
+}
+
 /// The lines of `text` that begin with a position, moved by whole metres: digits after the point stay as they are.
 std::string moved(const std::string& text, int x, int y) {
   static const std::regex position(R"((\d+)(\.\d+)? (\d+)(\.\d+)?)");
