@@ -23,6 +23,8 @@ const { duration } = await exported("modules/report/viewer/src/extremes.ts");
 const { piecesOfEvents } = await exported("modules/report/viewer/src/data.ts");
 const { resultOf, titleOf } = await exported("modules/report/viewer/src/campaign_names.ts");
 const { countsOf } = await exported("modules/report/viewer/src/statistics.ts");
+const { chooseUnits, energyText, energyUnit, loadText, loadUnit } = await exported("modules/report/viewer/src/format.ts");
+const { shownUnit } = await exported("modules/report/viewer/src/choice.ts");
 const { valueIn, withValue } = await exported("modules/simulator/page/src/case_text.ts");
 
 test("texts with commas, quotes and line ends keep their cell of a CSV file", () => {
@@ -40,6 +42,17 @@ test("pieces are those of their event, also where ice was severed or a sheet spl
   const births = [1, 1, 1, 2, 2, 2];
   assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 1], births, []), [[1, 2], [4], [5]]);  // the first of a step is severed
   assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 1], births, [2]), [[1, 2], [3], [4]]);  // the last of 2 s is of a split
+});
+
+test("the units of a page fit its largest load and its largest energy", () => {
+  assert.equal(`${loadText(34.25)} ${loadUnit()}, ${energyText(34.25)} ${energyUnit()}`, "0.0 kN, 0.0 kJ");  // before any are known
+  chooseUnits(340, 2.5e4);
+  assert.equal(`${loadText(-34.25)} ${loadUnit()}, ${energyText(2510)} ${energyUnit()}`, "−34.3 N, 2.5 kJ");
+  assert.equal(shownUnit("Fx") + ", " + shownUnit("My"), "kN, kN m");  // of a bundle of its own
+  chooseUnits(0.5, 12);
+  assert.equal(`${loadText(0.0123)} ${loadUnit()}, ${energyText(null)} ${energyUnit()}`, "12.3 mN, – J");
+  chooseUnits(0, NaN);
+  assert.equal(`${loadText(1e4)} ${loadUnit()}, ${energyUnit()}`, "10.0 kN, kJ");
 });
 
 test("results of a campaign have their units", () => {

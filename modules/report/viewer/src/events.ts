@@ -3,7 +3,7 @@
 import { type Crack, crackOf } from "./crack";
 import type { Run } from "./data";
 import { el } from "./dom";
-import { degrees, kN, kPa, number, seconds } from "./format";
+import { degrees, kPa, loadText, loadUnit, number, seconds } from "./format";
 import { describePeak, type Peak } from "./loads";
 import { eventFigure } from "./plan";
 
@@ -94,7 +94,7 @@ export class EventCard {
       ["μ₁", number(at("mu1"), 4), "", "out-of-plane over in-plane normal force"],
       ["μ₂", number(at("mu2"), 4), "", "in-plane friction over in-plane normal force"],
       ["p", kPa(at("p")), "kPa", "pressure on the contact"],
-      ["p c h", kN(force), "kN", "in-plane normal force"],
+      ["p c h", loadText(force), loadUnit(), "in-plane normal force"],
       ["σ", kPa(at("sigma_max")), "kPa", "largest principal stress where the ice is judged"],
       ["l_break", number(at("l_break"), 4), "m", crack.isCircle ? "breaking length: radius of the crack" : "breaking length: from the tip to the crack, along the trapezoid's axis"],
       ["wedges", String(at("wedges")), "", "number of wedges drawn"],

@@ -3,7 +3,7 @@
 import { kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { el, section, table } from "./dom";
-import { kN, number, seconds } from "./format";
+import { loadText, number, seconds } from "./format";
 import { csv, saveButtons, saveText } from "./save";
 import type { ExtremeLaw, LoadStatistics } from "./types";
 
@@ -24,12 +24,12 @@ export const kTooEarly = "The run is over before its statistics begin (output.st
 
 /** The largest load events; a click takes the replay there. */
 function eventsOf({ events, mean, lower_end }: LoadStatistics, choice: LoadChoice, onSeek: (time: number) => void): HTMLElement {
-  const { short, unit } = kLoads[choice.name];
-  const force = unit.slice(1);  // without its kilo
+  const { short, unit: force } = kLoads[choice.name];
+  const { unit } = choice;
   const largest = [...events].sort((a, b) => Math.abs(b.peak) - Math.abs(a.peak)).slice(0, kShown);
   const rows = largest.map(({ start, end, peak_time: at, peak, impulse }) => [
     el("button", { type: "button", class: "link", title: "Show this moment", click: () => onSeek(at) }, seconds(at)),
-    kN(peak), seconds(at - start), seconds(end - at), kN(impulse),
+    loadText(peak), seconds(at - start), seconds(end - at), loadText(impulse),
   ]);
   const save = () => saveText(`load-events-${choice.name}.csv`,
     csv(([["start", "s"], ["end", "s"], ["peak_time", "s"], ["peak", force], ["impulse", `${force} s`]] as const).map(([key, of]) =>
@@ -37,16 +37,16 @@ function eventsOf({ events, mean, lower_end }: LoadStatistics, choice: LoadChoic
   return el("div", {},
     el("h3", {}, `Load events of ${short}`, " ", saveButtons("load events", { CSV: save })),
     events.length === 0 ? el("p", {}, `The load ${lower_end ? "falls through its mean and rises" : "rises through its mean and falls"} back nowhere.`) : el("div", {},
-      el("p", { class: "note" }, `${events.length} times the load ${lower_end ? "falls" : "rises"} through its mean of ${kN(mean)} ${unit} and ${lower_end ? "rises" : "falls"} back, noise left out. ` +
+      el("p", { class: "note" }, `${events.length} times the load ${lower_end ? "falls" : "rises"} through its mean of ${loadText(mean)} ${unit} and ${lower_end ? "rises" : "falls"} back, noise left out. ` +
         (events.length > kShown ? `The ${kShown} largest:` : "All of them, the largest first:")),
       table(["peak at [s]", `peak [${unit}]`, "rise [s]", "fall [s]", `impulse [${unit} s]`], rows, { id: "load-events" })));
 }
 
 function lawsOf(s: LoadStatistics, choice: LoadChoice): HTMLElement {
-  const unit = kLoads[choice.name].unit;
+  const { unit } = choice;
   const period = duration(s.extremes.return_period);
   const level = ({ level: value, level_95: range, not_fitted: why }: ExtremeLaw): string =>
-    value === undefined ? `none: ${why ?? ""}` : `${kN(value)} ${unit}` + (range ? `, 95 %: ${range.map((end) => (end === null ? "no bound" : kN(end))).join(" to ")}` : "");
+    value === undefined ? `none: ${why ?? ""}` : `${loadText(value)} ${unit}` + (range ? `, 95 %: ${range.map((end) => (end === null ? "no bound" : loadText(end))).join(" to ")}` : "");
   const same = s.laws.every((law) => law.level === undefined && law.not_fitted === s.laws[0].not_fitted);
   const { law, reason } = s.recommended;
   return el("div", {},

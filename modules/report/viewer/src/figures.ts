@@ -2,7 +2,7 @@
 // The numbers on top of the page: of one run, or of two beside each other.
 import type { Run } from "./data";
 import { el, section, table } from "./dom";
-import { deviation, kN, number, seconds } from "./format";
+import { chooseUnits, deviation, loadText, loadUnit, number, seconds } from "./format";
 import type { LoadSummary, RunSummary } from "./types";
 
 function figure(value: string, unit: string, name: string, note = ""): HTMLElement {
@@ -16,7 +16,7 @@ function none(name: string, why: string): HTMLElement {
 
 /** An interval of a mean, or why there is none. */
 function interval([lower, upper]: [number | null, number | null]): string {
-  return lower === null || upper === null ? "no interval: see the warnings" : `95 % interval: ${kN(lower)} to ${kN(upper)} kN`;
+  return lower === null || upper === null ? "no interval: see the warnings" : `95 % interval: ${loadText(lower)} to ${loadText(upper)} ${loadUnit()}`;
 }
 
 /** The largest horizontal load of the curve, and when; null in a run without steps. */
@@ -28,6 +28,21 @@ function largest(run: Run): { value: number | null; time: number } {
   return { value: loads[at], time: run.column("load.time")[at] };
 }
 
+/** Chooses the units of a page by the largest load and the largest energy of its runs. */
+export function chooseUnitsFor(runs: Run[]): void {
+  const largestOf = (values: Iterable<number>) => {
+    let most = 0;
+    for (const value of values) if (Number.isFinite(value)) most = Math.max(most, Math.abs(value));
+    return most;
+  };
+  const loads = runs.flatMap((run) => ["Fx", "Fy", "Fz"].map((name) => largestOf(run.column(`load.${name}`))));
+  const energies = runs.map(({ data }) => {
+    const { losses, ...own } = data.summary.energy;
+    return largestOf([...Object.values(losses as Record<string, number>), ...(Object.values(own) as number[])]);
+  });
+  chooseUnits(largestOf(loads), largestOf(energies));
+}
+
 function placeInStatistics({ statistics_from: from, statistics_until: until }: RunSummary, time: number): string {
   if (time <= from) return "before the statistics begin";
   return until !== undefined && time > until ? "after the statistics end" : "in the statistics";
@@ -37,7 +52,7 @@ export function keyFigures(run: Run): HTMLElement {
   const s = run.data.summary;
   const from = seconds(s.statistics_from);
   const tooEarly = `statistics begin at ${from} s, the run ends at ${seconds(run.duration)} s`;
-  const mean = (of: LoadSummary, name: string) => (of.mean === null ? none(name, tooEarly) : figure(kN(of.mean), "kN", name, interval(of.mean_95)));
+  const mean = (of: LoadSummary, name: string) => (of.mean === null ? none(name, tooEarly) : figure(loadText(of.mean), loadUnit(), name, interval(of.mean_95)));
   const whole = largest(run);
   const measured = run.input("reference", "mean_horizontal");
   return el("div", { class: "figures" },
@@ -45,9 +60,9 @@ export function keyFigures(run: Run): HTMLElement {
     mean(s.vertical, "mean vertical"),
     s.horizontal.maximum === null
       ? none("largest horizontal", tooEarly)
-      : figure(kN(s.horizontal.maximum), "kN", `largest horizontal from ${from} s on`, `standard deviation ${kN(s.horizontal.standard_deviation)} kN`),
-    whole.value !== null && figure(kN(whole.value), "kN", "largest horizontal of the whole run", `at ${seconds(whole.time)} s, ${placeInStatistics(s, whole.time)}`),
-    Number.isFinite(measured) && figure(kN(measured), "kN", "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
+      : figure(loadText(s.horizontal.maximum), loadUnit(), `largest horizontal from ${from} s on`, `standard deviation ${loadText(s.horizontal.standard_deviation)} ${loadUnit()}`),
+    whole.value !== null && figure(loadText(whole.value), loadUnit(), "largest horizontal of the whole run", `at ${seconds(whole.time)} s, ${placeInStatistics(s, whole.time)}`),
+    Number.isFinite(measured) && figure(loadText(measured), loadUnit(), "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
     !Number.isFinite(measured) && (s.fastest_floe === null ? none("fastest floe", "no frames were recorded") : figure(number(s.fastest_floe, 3), "m/s", "fastest floe")),
     figure(String(s.n_breaks), "", "breaks", s.breaking_frequency ? `${number(s.breaking_frequency, 3)} a second` : ""),
     figure(String(s.n_floes_born), "", "floes", fatesOf(run)));
@@ -75,15 +90,15 @@ function differences(runs: Run[]): string[][] {
 /** Two runs in numbers. */
 export function comparedFigures(runs: Run[], names: string[]): HTMLElement {
   const row = (name: string, value: (run: Run) => string) => [name, ...runs.map(value)];
-  const range = ({ mean_95: [low, high] }: LoadSummary) => (low === null || high === null ? "none" : `${kN(low)} to ${kN(high)}`);
-  const load = (value: number | null) => (value === null ? "none" : kN(value));
+  const range = ({ mean_95: [low, high] }: LoadSummary) => (low === null || high === null ? "none" : `${loadText(low)} to ${loadText(high)}`);
+  const load = (value: number | null) => (value === null ? "none" : loadText(value));
   return table(["", ...names], [
     row("made with", ({ data }) => data.origin),
-    row("mean horizontal [kN]", ({ data }) => load(data.summary.horizontal.mean)),
-    row("its 95 % interval [kN]", ({ data }) => range(data.summary.horizontal)),
-    row("mean vertical [kN]", ({ data }) => load(data.summary.vertical.mean)),
-    row("largest horizontal in its statistics [kN]", ({ data }) => load(data.summary.horizontal.maximum)),
-    row("largest horizontal of the whole run [kN]", (run) => load(largest(run).value)),
+    row(`mean horizontal [${loadUnit()}]`, ({ data }) => load(data.summary.horizontal.mean)),
+    row(`its 95 % interval [${loadUnit()}]`, ({ data }) => range(data.summary.horizontal)),
+    row(`mean vertical [${loadUnit()}]`, ({ data }) => load(data.summary.vertical.mean)),
+    row(`largest horizontal in its statistics [${loadUnit()}]`, ({ data }) => load(data.summary.horizontal.maximum)),
+    row(`largest horizontal of the whole run [${loadUnit()}]`, (run) => load(largest(run).value)),
     row("breaks, floes", ({ data }) => `${data.summary.n_breaks}, ${data.summary.n_floes_born}`),
   ], { id: "compared" });
 }

@@ -2,6 +2,7 @@
 // All floes as one solid that is drawn at once; their vertices move and change colour with time.
 import { BufferAttribute, BufferGeometry, Color, LineSegments, type Material, Mesh } from "three";
 import type { Run } from "./data";
+import { inLoadUnit } from "./format";
 import { Prisms } from "./prisms";
 import { frameAt, Tracks } from "./tracks";
 
@@ -38,8 +39,8 @@ export class FloeMesh {
   private readonly centres: Float32Array;
   private readonly moved: Span;
   private readonly tinged: Span;
-  /** Of the run [N], for the colours; no less than 10 kN. */
-  largestForce = 1e4;
+  /** Of the run [N], for the colours; no less than ten of the page's unit. */
+  largestForce = 10 / inLoadUnit(1);
 
   /** @param palette colours by name; may change afterwards. */
   constructor(
@@ -187,7 +188,7 @@ export class FloeMesh {
     if (gone) return p.crushed;
     if (this.colouring === "age") return this.mixed.copy(p.young).lerp(p.old, Math.min(1, age / Math.max(1, 0.5 * this.run.duration)));
     if (this.colouring === "force")
-      return this.mixed.copy(p.calm).lerp(p.loaded, Math.min(1, Math.log1p(force / 1e3) / Math.log1p(this.largestForce / 1e3)));
+      return this.mixed.copy(p.calm).lerp(p.loaded, Math.min(1, Math.log1p(inLoadUnit(force)) / Math.log1p(inLoadUnit(this.largestForce))));
     this.mixed.copy([p.floe, p.initial, p.crushed][this.cause[floe]]);
     return age < kNewborn ? this.mixed.lerp(p.newborn, 0.75 * (1 - age / kNewborn)) : this.mixed;
   }

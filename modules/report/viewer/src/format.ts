@@ -30,10 +30,36 @@ export function superscript(exponent: number): string {
 export const unitText = (unit: string): string =>
   unit === "1" ? "" : unit.replace(/m\^0\.5/g, "√m").replace(/(?<=[A-Za-z])-?\d+/g, (power) => superscript(Number(power)));
 
-/** Newtons as kilonewtons with one decimal. */
-export const kN = (value: number | null | undefined): string =>
-  value === null || value === undefined || !Number.isFinite(value) ? "–" : (value / 1e3).toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−");
-export const kJ = kN;
+/** A unit of the page: kilo-, or at the scale of a basin less. */
+export interface Scale {
+  one: number;
+  prefix: "k" | "" | "m";
+}
+
+/** The unit in which the largest of some values has a digit before the point. */
+export function scaleFor(largest: number): Scale {
+  if (largest === 0 || !(largest < 1e3)) return { one: 1e3, prefix: "k" };
+  return largest >= 1 ? { one: 1, prefix: "" } : { one: 1e-3, prefix: "m" };
+}
+
+const used = { loads: scaleFor(0), energies: scaleFor(0) };
+
+/** Chooses the units of a page's loads and energies by the largest of each [N], [J]. */
+export function chooseUnits(largestLoad: number, largestEnergy: number): void {
+  used.loads = scaleFor(largestLoad);
+  used.energies = scaleFor(largestEnergy);
+}
+
+/** One decimal. */
+export const fixed = (value: number | null | undefined): string =>
+  value === null || value === undefined || !Number.isFinite(value) ? "–" : value.toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−");
+const inUnit = (value: number | null | undefined, { one }: Scale): string => fixed(typeof value === "number" ? value / one : value);
+/** Newtons in loadUnit(), joules in energyUnit(). */
+export const loadText = (value: number | null | undefined): string => inUnit(value, used.loads);
+export const energyText = (value: number | null | undefined): string => inUnit(value, used.energies);
+export const inLoadUnit = (newtons: number): number => newtons / used.loads.one;
+export const loadUnit = (): string => `${used.loads.prefix}N`;
+export const energyUnit = (): string => `${used.energies.prefix}J`;
 export const kPa = (value: number): string => number(value / 1e3, 4);
 export const degrees = (radians: number): string => ((radians * 180) / Math.PI).toFixed(1).replace("-", "−");
 export const seconds = (value: number, decimals = 2): string => value.toFixed(decimals).replace("-", "−");

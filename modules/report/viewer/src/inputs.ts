@@ -5,7 +5,7 @@ import { axis, Chart } from "./charts";
 import type { InputValue, Run } from "./data";
 import { css, el, section, table } from "./dom";
 import { schemaOf } from "./campaign_names";
-import { bytes, degrees, kJ, kN, number, percent, seconds, unitText } from "./format";
+import { bytes, degrees, energyText, energyUnit, loadText, loadUnit, number, percent, seconds, unitText } from "./format";
 import type { Manifest, RunFiles, Schema } from "./types";
 
 /** Symbols of the closed forms, as docs/theory/standards.md has them. */
@@ -24,19 +24,19 @@ function symbolsOf({ loads }: RunFiles["closed_forms"]): string {
 
 export function closedFormsSection({ data, isField }: Run): HTMLElement {
   const rows = data.closed_forms.loads.map((load) => {
-    const components = Object.entries(load.components ?? {}).map(([name, value]) => `${name} ${kN(value)}`);
+    const components = Object.entries(load.components ?? {}).map(([name, value]) => `${name} ${loadText(value)}`);
     const note = load.not_applicable ?? components.join(", ") + (load.in_range === false ? "; outside the formula's range" : "");
-    return [load.source, load.method, kN(load.horizontal), kN(load.vertical), note];
+    return [load.source, load.method, loadText(load.horizontal), loadText(load.vertical), note];
   });
   const { horizontal, vertical } = data.summary;
   const high = (name: "Fx" | "Fz") => data.loads?.[name].quantile_99;
   const lower = ([["horizontal", "Fx"], ["vertical", "Fz"]] as const).filter(([, name]) => data.loads?.[name].lower_end);
   const note = lower.length > 0 ? `${lower.map(([way]) => way).join(" and ")}: above it 99 % of the time` : "";
-  rows.push(["this run", "mean", kN(horizontal.mean), kN(vertical.mean), ""]);
-  rows.push(["this run", "99 % quantile", kN(high("Fx")), kN(high("Fz")), note]);
+  rows.push(["this run", "mean", loadText(horizontal.mean), loadText(vertical.mean), ""]);
+  rows.push(["this run", "99 % quantile", loadText(high("Fx")), loadText(high("Fz")), note]);
   return section("closed-forms", "Closed forms",
     el("p", {}, `Loads of standards and textbooks for the same structure and ice: ${data.closed_forms.kind}.${isField ? " They are for level ice, not for a field of floes." : ""}`),
-    table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows),
+    table(["source", "method", `horizontal [${loadUnit()}]`, `vertical [${loadUnit()}]`, `components [${loadUnit()}]`], rows),
     el("p", { class: "note" }, symbolsOf(data.closed_forms)));
 }
 
@@ -83,8 +83,8 @@ const kLosses: Record<string, string> = {
 function energyTable(data: RunFiles): HTMLElement {
   const { losses, ...energy } = data.summary.energy;
   const work = energy.work as number;
-  const row = (name: string, value: number) => [name, kJ(value), work !== 0 ? percent(value / work) : "–"];
-  return table(["energy at the end", "kJ", "of the work"], [
+  const row = (name: string, value: number) => [name, energyText(value), work !== 0 ? percent(value / work) : "–"];
+  return table(["energy at the end", energyUnit(), "of the work"], [
     row("work of the structure", work),
     ...Object.entries(losses as Record<string, number>).map(([name, value]) => row(kLosses[name] ?? name, value)),
     row("motion of the floes", energy.kinetic_energy as number),

@@ -5,7 +5,7 @@ import { axis, Chart, type Shown } from "./charts";
 import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el } from "./dom";
-import { kN, seconds } from "./format";
+import { fixed, inLoadUnit, loadText, seconds } from "./format";
 import type { Mark } from "./marks";
 import { isOnPaper } from "./paper";
 import type { Player } from "./player";
@@ -137,12 +137,12 @@ export class LoadHistory {
   }
 
   private make(): Shown {
-    const kilo = (values: ArrayLike<number>) => Array.from(values, (n) => n / 1e3);
-    const column = (cause: string) => kilo(this.run.column(`load.${cause}${this.choice.name}`));
+    const shown = (values: ArrayLike<number>) => Array.from(values, inLoadUnit);
+    const column = (cause: string) => shown(this.run.column(`load.${cause}${this.choice.name}`));
     const own = [Array.from(this.run.column("load.time")), ...kCauses.map(([cause]) => column(cause))] as uPlot.AlignedData;
     const overlays = this.shown();
     const data = overlays.length === 0 ? own
-      : uPlot.join([own, ...overlays.map(({ times, values }) => [Array.from(times), kilo(values)] as uPlot.AlignedData)]);
+      : uPlot.join([own, ...overlays.map(({ times, values }) => [Array.from(times), shown(values)] as uPlot.AlignedData)]);
     const series = (label: string, colour: string, width: number, show = true): uPlot.Series => ({
       label, width, show, stroke: css(colour), spanGaps: true, points: { show: false }, value: (plot, value, i) => this.valueAt(plot, value, i),
     });
@@ -173,7 +173,7 @@ export class LoadHistory {
   /** The value under the cursor; away from the chart, the one at the replay's time. */
   private valueAt(plot: uPlot, value: number | null, series: number): string {
     const shown = value ?? plot.data[series]?.[nearest(plot.data[0], this.player.time)];
-    return shown === null || shown === undefined ? "" : kN(1e3 * shown);
+    return shown === null || shown === undefined ? "" : fixed(shown);
   }
 
   private saveAll(): void {
@@ -217,11 +217,11 @@ export class LoadHistory {
   private levelMarks(): Mark[] {
     const levels = this.levels();
     if (!levels) return [];
-    const [mean, reference] = [levels.mean / 1e3, levels.reference / 1e3];
+    const [mean, reference] = [inLoadUnit(levels.mean), inLoadUnit(levels.reference)];
     const { statistics_from: from, statistics_until: to } = this.run.data.summary;
     const marks: Mark[] = [];
     if (levels.interval) {
-      const [low, high] = levels.interval.map((n) => n / 1e3);
+      const [low, high] = levels.interval.map(inLoadUnit);
       marks.push({ kind: "band", name: "95 % interval of the mean", colour: css("--band"), from, to, low, high });
     }
     if (Number.isFinite(mean)) marks.push({ kind: "level", name: "mean", colour: css("--accent"), from, to, at: mean, dash: [5, 4] });
@@ -280,6 +280,6 @@ function nearest(times: ArrayLike<number>, time: number): number {
 
 /** A peak in words: how much of it came from where. */
 export function describePeak(peak: Peak): string {
-  const [total, crushing, normal, friction] = peak.loads.map(kN);
+  const [total, crushing, normal, friction] = peak.loads.map(loadText);
   return `${total} ${peak.unit} at ${seconds(peak.time)} s: ${crushing} ${peak.unit} crushing at the edge, ${normal} ${peak.unit} floes, ${friction} ${peak.unit} their friction.`;
 }

@@ -3,6 +3,7 @@ import { showCampaign } from "./campaign";
 import { redrawCharts } from "./charts";
 import { part, readBlocks, readData, Run } from "./data";
 import { el } from "./dom";
+import { chooseUnitsFor } from "./figures";
 import { type LiveReport, showLive } from "./live";
 import { preparePrints } from "./paper";
 import { type RunReport, showRun } from "./run";
@@ -85,6 +86,7 @@ async function main(): Promise<void> {
     const blocks = await readBlocks(data.blocks);
     handle.run = new Run(data, blocks);
     const other = data.other ? new Run(data.other, part(blocks, "other.")) : null;
+    chooseUnitsFor(other ? [handle.run, other] : [handle.run]);
     handle.report = showRun(handle.run, other, data, parent);
     if (!handle.report.replay) head.querySelector(".keys")?.remove();
   }

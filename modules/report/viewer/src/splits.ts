@@ -2,7 +2,7 @@
 // Ice that splits besides the level ice that breaks: drifting sheets in their plane, and floes that bend too far.
 import type { Run } from "./data";
 import { el, section, svg, table } from "./dom";
-import { kN, number, seconds } from "./format";
+import { loadText, loadUnit, number, seconds } from "./format";
 
 /** A `split` or a `broken` of events.csv. */
 export interface Split {
@@ -25,7 +25,7 @@ function sheetSplits(run: Run): Split[] {
   const at = (name: string, i: number) => run.column(`split.${name}`)[i];
   return Array.from(run.column("split.time"), (time, i): Split => ({
     of: "sheet", time, x: at("x", i), y: at("y", i), towards: [at("towards_x", i), at("towards_y", i)], length: at("length", i), parts: at("pieces", i),
-    more: `${kN(at("opening", i))} kN across the crack, ${kN(at("push", i))} kN along it, K_I of ${number(at("stress_intensity", i) / 1e3, 4)} kPa √m`,
+    more: `${loadText(at("opening", i))} ${loadUnit()} across the crack, ${loadText(at("push", i))} ${loadUnit()} along it, K_I of ${number(at("stress_intensity", i) / 1e3, 4)} kPa √m`,
   }));
 }
 

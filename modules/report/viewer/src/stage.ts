@@ -3,7 +3,7 @@
 import type { Run } from "./data";
 import { el } from "./dom";
 import type { Colouring } from "./floe_mesh";
-import { kN } from "./format";
+import { loadText, loadUnit } from "./format";
 import { kLand, legend, type Swatch } from "./legend";
 import { isOnPaper, onRefit } from "./paper";
 import { ReplayScene } from "./scene";
@@ -79,7 +79,7 @@ export class Stage {
   private swatches(colouring: Colouring): Swatch[] {
     if (colouring === "age") return [{ colour: ["--scene-young", "--scene-old"], text: "just born to old" }];
     if (colouring === "force")
-      return [{ colour: ["--scene-calm", "--scene-loaded"], text: `contact force, 0 to ${kN(this.scene!.floes.largestForce)} kN, logarithmic` }];
+      return [{ colour: ["--scene-calm", "--scene-loaded"], text: `contact force, 0 to ${loadText(this.scene!.floes.largestForce)} ${loadUnit()}, logarithmic` }];
     return [
       { colour: "--scene-floe", text: "broken off" }, { colour: "--scene-initial", text: "there at the start" },
       { colour: ["--scene-newborn", "--scene-floe"], text: "just born" }, { colour: "--scene-crushed", text: "crushed later, or just now" },

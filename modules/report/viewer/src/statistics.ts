@@ -2,34 +2,34 @@
 // Moments, spectrum, exceedance and sizes.
 import uPlot from "uplot";
 import { axis, Chart } from "./charts";
-import { kLoadNames, kLoads, type LoadChoice } from "./choice";
+import { kLoadNames, kLoads, shownUnit, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el, section, table } from "./dom";
 import { kTooEarly } from "./extremes";
-import { deviation, kN, number, seconds, superscript } from "./format";
+import { deviation, inLoadUnit, loadText, loadUnit, number, seconds, superscript } from "./format";
 import type { AxisStatistics, LoadStatistics, RunData, RunSummary } from "./types";
 
 /** Statistics of each load, and of a measured history beside Fx. */
 function moments(run: Run, measured: RunData["measured"]): HTMLElement {
   const loads = run.data.loads;
   if (!loads) return el("p", {}, kTooEarly);
-  const [first, ...rest] = kLoadNames.map((name): [string, LoadStatistics] => [`${name} [${kLoads[name].unit}]`, loads[name]]);
-  const columns = measured ? [first, ["Fx measured [kN]", measured.statistics] as [string, LoadStatistics], ...rest] : [first, ...rest];
+  const [first, ...rest] = kLoadNames.map((name): [string, LoadStatistics] => [`${name} [${shownUnit(name)}]`, loads[name]]);
+  const columns = measured ? [first, [`Fx measured [${loadUnit()}]`, measured.statistics] as [string, LoadStatistics], ...rest] : [first, ...rest];
   const anyLower = columns.some(([, s]) => s.lower_end);
   const row = (name: string, value: (s: LoadStatistics) => string) => [name, ...columns.map(([, s]) => value(s))];
-  const interval = ({ mean_95: [low, high], effective_sample_size }: LoadStatistics) => (low === null || high === null ? noInterval(effective_sample_size) : `${kN(low)} to ${kN(high)}`);
+  const interval = ({ mean_95: [low, high], effective_sample_size }: LoadStatistics) => (low === null || high === null ? noInterval(effective_sample_size) : `${loadText(low)} to ${loadText(high)}`);
   return table(
     ["", ...columns.map(([name]) => name)],
     [
-      row("mean", (s) => kN(s.mean)),
+      row("mean", (s) => loadText(s.mean)),
       row("95 % interval of it", interval),
-      row("standard deviation", (s) => kN(s.standard_deviation)),
+      row("standard deviation", (s) => loadText(s.standard_deviation)),
       ...(anyLower ? [row("end of the larger loads", (s) => (s.lower_end ? "lower" : "upper"))] : []),
-      row("median", (s) => kN(s.quantile_50)),
-      row("95 % quantile", (s) => kN(s.quantile_95)),
-      row("99 % quantile", (s) => kN(s.quantile_99)),
-      row("largest", (s) => kN(s.maximum)),
-      row("smallest", (s) => kN(s.minimum)),
+      row("median", (s) => loadText(s.quantile_50)),
+      row("95 % quantile", (s) => loadText(s.quantile_95)),
+      row("99 % quantile", (s) => loadText(s.quantile_99)),
+      row("largest", (s) => loadText(s.maximum)),
+      row("smallest", (s) => loadText(s.minimum)),
       row("skewness", (s) => number(s.skewness, 3)),
       row("autocorrelation time [s]", (s) => number(s.autocorrelation_time, 3)),
       row("independent samples", (s) => number(s.effective_sample_size, 3)),
@@ -47,8 +47,8 @@ const noInterval = (samples: number): string => (samples < 10 ? "too few samples
 function causes(run: Run): HTMLElement | false {
   const { horizontal: h, vertical: v } = run.data.summary;
   if (h.mean === null) return false;
-  const row = (name: string, cause: string) => [name, kN(h.mean_by_cause[cause]), kN(v.mean_by_cause[cause])];
-  return table(["mean by cause", "Fx [kN]", "Fz [kN]"],
+  const row = (name: string, cause: string) => [name, loadText(h.mean_by_cause[cause]), loadText(v.mean_by_cause[cause])];
+  return table(["mean by cause", `Fx [${loadUnit()}]`, `Fz [${loadUnit()}]`],
     [row("crushing at the edge", "crushing"), row("floes, normal", "floe_normal"), row("floes, friction", "floe_friction")], { id: "causes" });
 }
 
@@ -63,7 +63,7 @@ function spectrumChart(run: Run, choice: LoadChoice): Chart {
     () => {
       const { frequency, density } = of()!;
       return {
-        data: [frequency.slice(1), density.slice(1).map((n) => n / 1e6)] as uPlot.AlignedData,
+        data: [frequency.slice(1), density.slice(1).map((n) => inLoadUnit(inLoadUnit(n)))] as uPlot.AlignedData,
         heads: ["frequency [Hz]", `density of ${choice.name} [(${choice.unit})^2 / Hz]`],
         options: {
           scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
@@ -146,10 +146,10 @@ function exceedance(run: Run, choice: LoadChoice, { value: peaks, lower_end }: A
   for (let i = 0; i < loads.length; ++i) if (times[i] > from && times[i] <= until * (1 + kRounding)) samples.push(loads[i]);
   samples.sort((a, b) => (lower_end ? a - b : b - a));
   const points = new Map<number, [number | null, number | null]>();
-  samples.forEach((value, i) => points.set(value / 1e3, [(i + 1) / (samples.length + 1), null]));
+  samples.forEach((value, i) => points.set(inLoadUnit(value), [(i + 1) / (samples.length + 1), null]));
   peaks.forEach((value, i) => {
     const share = (i + 1) / (peaks.length + 1);
-    points.set(value / 1e3, [points.get(value / 1e3)?.[0] ?? null, share]);
+    points.set(inLoadUnit(value), [points.get(inLoadUnit(value))?.[0] ?? null, share]);
   });
   const sorted = [...points].sort((a, b) => a[0] - b[0]);
   return [sorted.map((p) => p[0]), sorted.map((p) => p[1][0]), sorted.map((p) => p[1][1])];
@@ -201,7 +201,7 @@ function referenceNote(run: Run): string {
   if (!Number.isFinite(measured)) return "";
   const source = String(run.inputs.reference?.source?.value ?? "");
   const { mean } = run.data.summary.horizontal;
-  return ` Reference (${source}): ${kN(measured)} kN` + (mean === null ? "." : `; the mean of this run is ${deviation(mean, measured)} away.`);
+  return ` Reference (${source}): ${loadText(measured)} ${loadUnit()}` + (mean === null ? "." : `; the mean of this run is ${deviation(mean, measured)} away.`);
 }
 
 /** By how much the load at each break of the structure was above the load at which the ice just fails, in per cent. */
