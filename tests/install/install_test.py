@@ -82,7 +82,7 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
         self.assertNotIn(str(BUILD), "".join(p.read_text() for p in (self.prefix / "lib/cmake/brash").iterdir()))
 
     def test_the_cpp_program_of_the_tutorial_is_built_as_it_stands(self):
-        page = (SOURCE / "docs/tutorials/crack-geometry.md").read_text(encoding="utf-8")
+        page = (SOURCE / "docs/tutorials/polygon-kernel.md").read_text(encoding="utf-8")
         folder = self.prefix / "tutorial"
         folder.mkdir()
         for name, text in re.findall(r"^```(?:cmake|cpp) (\S+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):

@@ -12,6 +12,7 @@ import unittest
 import numpy as np
 
 import brash
+from brash import geometry
 
 try:
     import shapely.geometry
@@ -100,6 +101,17 @@ FAR_MAP = """{"type":"FeatureCollection","crs":{"type":"name","properties":{"nam
 
 
 class Maps(unittest.TestCase):
+    def test_a_union_accounts_for_every_area(self):
+        union = geometry.unite([[[0, 0], [4, 0], [4, 2], [0, 2]], "POLYGON ((1 -1, 2 -1, 2 5, 1 5, 1 -1))"])
+        self.assertEqual((union.given, union.united, union.overlap, union.snap, union.n_rounded), (14, 12, 2, 0, 4))
+        self.assertEqual([polygon.exact_area for polygon in union.polygons], [12])
+        with self.assertRaisesRegex(brash.InputError, "polygon 0: crosses itself"):
+            geometry.unite("POLYGON ((0 0, 3 2, 3 0, 0 1, 0 0))")
+
+    def test_the_kernel_has_a_module_of_its_own(self):
+        for name in geometry.__all__:
+            self.assertIs(getattr(geometry, name), getattr(brash, name))
+
     def test_a_hole_in_another_polygon_is_refused(self):
         text = ("MULTIPOLYGON (((0 0,10 0,10 10,0 10,0 0)),((20 0,30 0,30 10,20 10,20 0),(2 2,4 2,4 4,2 4,2 2)))")
         for read in (brash.IceSheet, brash.read_map):
