@@ -120,22 +120,20 @@ BOOST_AUTO_TEST_CASE(faults_of_rounding_are_mended_and_counted_and_others_stay) 
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_with_a_hair_of_a_whisker_is_read) {
-  // Rounding turns the whisker over itself: its sides cross, 1e-10 m apart and 3 m long.
-  std::string said;
+  // The sides of the whisker are up to 2e-10 m apart and 3 m long: rounding lays one over the other, or across it.
   int n_mended = 0;
   for (int i = 0; i < 200; ++i) {
-    const double tip = 13.0 + 0.001 * i, root = 1e-10 * (1 + i % 7);
-    const std::string text =
-        fmt::format("POLYGON ((0 0, 10 0, 10 {:.12f}, {:.12f} {:.12f}, 10 {:.12f}, 10 10, 0 10, 0 0))", 3.1 + root, tip,
-                    4.7 + 0.01 * i, 3.1 + 2 * root + 0.05);
-    const std::string sliver =
-        fmt::format("POLYGON ((0 0, 10 0, 10 3.1, {0:.12f} {1:.12f}, {2:.12f} {3:.12f}, 10 3.1, 10 10, 0 10, 0 0))",
-                    tip, 4.7 + 0.01 * i, tip - 1.0, 0.5 * (4.7 + 0.01 * i + 3.1) + 1e-10 * (i % 5 - 2));
-    for (const Map& map : {read_map(text).value(), read_map(sliver).value()}) {
-      BOOST_REQUIRE(map.features.size() == 1u);
-      BOOST_TEST(fault_of(map.features[0].polygon) == "", map.left_out);
-      n_mended += map.left_out.empty() ? 0 : 1;
-    }
+    const double x = 13.0 + 0.001 * i, y = 4.7 + 0.01 * i, apart = 1e-10 * (i % 5 - 2);
+    const Map map =
+        read_map(fmt::format("POLYGON ((0 0, 10 0, 10 3.1, {:.12f} {:.12f}, {:.12f} {:.12f}, 10 3.1, 10 10, "
+                             "0 10, 0 0))",
+                             x, y, 0.5 * (10.0 + x), 0.5 * (3.1 + y) + apart))
+            .value();
+    BOOST_REQUIRE(map.features.size() == 1u);
+    const Polygon& floe = map.features[0].polygon;
+    BOOST_TEST(fault_of(floe) == "");
+    BOOST_TEST(std::abs(area(floe).square_metres() - 100.0) < 1e-8);
+    n_mended += map.left_out.empty() ? 0 : 1;
   }
   BOOST_TEST(n_mended > 0);
 }

@@ -109,30 +109,30 @@ std::vector<Vec3> distinct(std::span<const Vec3> points, double tolerance) {
 }
 
 /// The triangles of a convex hull that lie in one plane, or nearly: a disc.
-struct Patch {
+struct Disc {
   Plane plane;            ///< of its largest triangle
   std::vector<int> loop;  ///< of vertices, counter-clockwise from outside
   std::vector<char> has;  ///< of each vertex, whether it is in the loop or within
 };
 
-/// Joins triangles to patches, the largest triangle first, across their edges while the next corner lies on the plane.
-/// Each patch stays a disc, so the loops close a solid however the tolerance falls.
-class Patches {
+/// Joins triangles to discs, the largest triangle first, across their edges while the next corner lies on the plane.
+/// Each disc stays a disc, so the loops close a solid however the tolerance falls.
+class Discs {
  public:
-  Patches(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles, double tolerance)
+  Discs(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles, double tolerance)
       : points_(points), triangles_(triangles), tolerance_(tolerance), is_free_(triangles.size(), true) {
     for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
       for (int k = 0; k < 3; ++k) across_[{corner(t, k), corner(t, k + 1)}] = t;
   }
 
-  std::vector<Patch> all() {
+  std::vector<Disc> all() {
     std::vector<int> order(triangles_.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, std::greater<>{}, [&](int t) { return norm(twice_area(t)); });
-    std::vector<Patch> patches;
+    std::vector<Disc> discs;
     for (const int t : order)
-      if (is_free_[static_cast<std::size_t>(t)]) patches.push_back(grown_from(t));
-    return patches;
+      if (is_free_[static_cast<std::size_t>(t)]) discs.push_back(grown_from(t));
+    return discs;
   }
 
  private:
@@ -142,32 +142,32 @@ class Patches {
     return cross(at(corner(t, 1)) - at(corner(t, 0)), at(corner(t, 2)) - at(corner(t, 0)));
   }
 
-  Patch grown_from(int seed) {
+  Disc grown_from(int seed) {
     const Vec3 normal = normalized(twice_area(seed));
-    Patch patch{{normal, dot(normal, at(corner(seed, 0)))}, {}, std::vector<char>(points_.size(), 0)};
+    Disc disc{{normal, dot(normal, at(corner(seed, 0)))}, {}, std::vector<char>(points_.size(), 0)};
     is_free_[static_cast<std::size_t>(seed)] = false;
     for (int k = 0; k < 3; ++k) {
-      patch.loop.push_back(corner(seed, k));
-      patch.has[static_cast<std::size_t>(corner(seed, k))] = 1;
+      disc.loop.push_back(corner(seed, k));
+      disc.has[static_cast<std::size_t>(corner(seed, k))] = 1;
     }
     for (bool grows = true; grows;) {
       grows = false;
-      for (std::size_t i = 0; i < patch.loop.size(); ++i) grows |= takes_across(patch, i);
+      for (std::size_t i = 0; i < disc.loop.size(); ++i) grows |= takes_across(disc, i);
     }
-    return patch;
+    return disc;
   }
 
-  /// Takes the triangle beyond the edge i of the loop, if it lies in the plane and the patch stays a disc.
-  bool takes_across(Patch& patch, std::size_t i) {
-    std::vector<int>& loop = patch.loop;
+  /// Takes the triangle beyond the edge i of the loop, if it lies in the plane and the disc stays a disc.
+  bool takes_across(Disc& disc, std::size_t i) {
+    std::vector<int>& loop = disc.loop;
     const auto place = [&](std::size_t k) { return loop[k % loop.size()]; };
     const int from = place(i), to = place(i + 1), t = across_.at({to, from});
     if (!is_free_[static_cast<std::size_t>(t)]) return false;
     int apex = corner(t, 0);
     for (int k = 1; apex == from || apex == to; ++k) apex = corner(t, k);
-    if (std::abs(dot(patch.plane.normal, at(apex)) - patch.plane.offset) > tolerance_) return false;
+    if (std::abs(dot(disc.plane.normal, at(apex)) - disc.plane.offset) > tolerance_) return false;
     const std::size_t after = (i + 1) % loop.size(), before = (i + loop.size() - 1) % loop.size();
-    if (patch.has[static_cast<std::size_t>(apex)] == 0) {
+    if (disc.has[static_cast<std::size_t>(apex)] == 0) {
       loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, apex);
     } else if (loop.size() > 3 && place(i + 2) == apex) {
       loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(after));
@@ -176,7 +176,7 @@ class Patches {
     } else {
       return false;
     }
-    patch.has[static_cast<std::size_t>(apex)] = 1;
+    disc.has[static_cast<std::size_t>(apex)] = 1;
     is_free_[static_cast<std::size_t>(t)] = false;
     return true;
   }
@@ -304,13 +304,13 @@ ConvexPart convex_hull(std::span<const Vec3> points) {
 
   const std::vector<std::array<int, 3>> triangles = hull_triangles(part.vertices);
   BRASH_EXPECTS(!triangles.empty(), "points in one plane", points.size());
-  const std::vector<Patch> patches = Patches(part.vertices, triangles, tolerance).all();
+  const std::vector<Disc> discs = Discs(part.vertices, triangles, tolerance).all();
 
   // A face has all the points on its plane. Where the tolerance leaves it open which these are, faces found so may not
-  // close, and the patches are the faces.
+  // close, and the discs are the faces.
   std::map<std::vector<int>, Plane> faces;
-  for (const Patch& patch : patches)
-    if (const auto settled = settle(patch.plane, part.vertices, tolerance)) faces.insert(*settled);
+  for (const Disc& disc : discs)
+    if (const auto settled = settle(disc.plane, part.vertices, tolerance)) faces.insert(*settled);
   for (const auto& [indices, plane] : faces) {
     part.planes.push_back(plane);
     part.faces.push_back(loop_on(plane, part.vertices, tolerance));
@@ -318,9 +318,9 @@ ConvexPart convex_hull(std::span<const Vec3> points) {
   if (!edges_between(part.faces)) {
     part.planes.clear();
     part.faces.clear();
-    for (const Patch& patch : patches) {
-      part.planes.push_back(patch.plane);
-      part.faces.push_back(patch.loop);
+    for (const Disc& disc : discs) {
+      part.planes.push_back(disc.plane);
+      part.faces.push_back(disc.loop);
     }
   }
   keep_corners(part);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frustum.hpp"
 #include "mesh_hull.hpp"
 #include "triangle_mesh.hpp"
 
@@ -14,9 +15,9 @@ namespace {
 /// Length over breadth and height from which on a mesh is taken for a ship [-]; others may stand any way.
 constexpr double kLong = 2.0;
 /// A mesh mirrors itself about a plane, if its centroid lies so near to the plane, over its extent [-].
-constexpr double kMirrored = 1e-3;
+constexpr double kMirrored = 0.01;
 /// And clearly does not from here on [-].
-constexpr double kNotMirrored = 0.02;
+constexpr double kNotMirrored = 0.03;
 /// The ends of the waterline are compared at this distance from them, over its length [-].
 constexpr double kNearEnd = 0.05;
 /// How much wider than the back the front of a ship may be there [-].

@@ -292,10 +292,13 @@ class Fmi2(Under2, Tests, unittest.TestCase):
     def test_the_last_successful_time_is_told(self):
         instance = self.keep(started(self.unit()))
         instance.step(0.0, 3 * STEP)
-        self.refuses(DISCARD, instance.step, 3 * STEP, 0.3 * STEP)
+        self.refuses(DISCARD, instance.step, 3 * STEP, -STEP)
         time = ctypes.c_double()
         instance.call("GetRealStatus", 2, ctypes.byref(time))
         self.assertEqual(time.value, 3 * STEP)
+        instance.step(3 * STEP, 0.3 * STEP)
+        instance.call("GetRealStatus", 2, ctypes.byref(time))
+        self.assertAlmostEqual(time.value, 3.3 * STEP, delta=1e-12)
         self.refuses(DISCARD, instance.call, "GetStatus", 0, ctypes.byref(ctypes.c_int()))
 
     def test_a_seed_beyond_the_integers_is_refused_with_the_remedy(self):

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(points_at_the_tolerance_of_a_plane_close_a_solid) {
     }
     const ConvexPart part = convex_hull(points);
     check_solid(part, points, 4.0 * std::max(noise, 1e-8));
-    BOOST_TEST(volume(part) > 6.0);
+    BOOST_TEST(volume(part) > 5.0);
   }
 }
 

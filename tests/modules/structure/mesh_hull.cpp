@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_hull_of_many_triangles_is_one_part_of_nearly_its_volume) 
   const ConvexBodies bodies = convex_bodies(mesh);
   BOOST_REQUIRE(bodies.parts.size() == 1u);
   BOOST_TEST(bodies.parts[0].size() <= 256u);
-  BOOST_TEST(bodies.error < 0.02);
+  BOOST_TEST(bodies.error < 0.03);
 }
 
 /// Outlines of any pose are simple rings that the exact geometry takes: the bow, stern and legs of what there is.
