@@ -142,7 +142,7 @@ def series_lines(prediction, rows, measured, statistic, compared):
     lines = [f"### {statistic}", ""]
     if not found:
         given = any(test.get(statistic) is not None for test in measured)
-        missing = "Not measured." + " The criterion judges it, so this part of the verdict stays open." * (statistic in JUDGED)
+        missing = "Not measured." + " The criterion checks it, so this part of the verdict stays open." * (statistic in JUDGED)
         return [*lines, "No interval: fewer than two points have this number." if given else missing, ""]
     if statistic in JUDGED:
         lines += ["| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
@@ -214,7 +214,7 @@ def exponent_lines(prediction, rows, promised):
     worst = max(compared, key=lambda row: abs(row["exponent"]))
     return [f"**{sum(map(differs, compared))} of {len(compared)} comparisons differ.** Worst miss: along `{worst['input']}` the program "
             f"less {worst['less']} is {signed(worst['exponent'])}.", "", *lines, "",
-            "Bold: the 95 % interval leaves out 0. Each comparison stands by itself: no correction was made for their number.", ""]
+            "Bold: the 95 % interval leaves out 0. Each comparison is on its own: no correction was made for their number.", ""]
 
 
 def differs(row):

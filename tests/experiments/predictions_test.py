@@ -273,7 +273,7 @@ class Texts(unittest.TestCase):
             table = pathlib.Path(folder) / "counted.csv"
             options = argparse.Namespace(measured=None, data=folder)
             text = tables.verdict(prediction, rows, tables.measured_rows(prediction, options), None)
-            self.assertIn("### breaking_frequency\n\nNot measured. The criterion judges it", text)
+            self.assertIn("### breaking_frequency\n\nNot measured. The criterion checks it", text)
             options.measured = table
             table.write_text("file,breaking_frequency\n" + "".join(f"{i}.csv,5.0\n" for i in range(7)), encoding="utf-8")
             text = tables.verdict(prediction, rows, tables.measured_rows(prediction, options), None)
