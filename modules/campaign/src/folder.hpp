@@ -41,7 +41,7 @@ class Folder {
   /// @throws InputError when a setting of that name is there already and differs, when cases are there and `resume`
   ///         is false, or when there are files of something else, or links.
   void prepare(bool resume);
-  /// Removes the done cases of the plan that are not what this campaign made, so that they are run again.
+  /// Removes the done cases of the plan that are not as this campaign made them, so that they are run again.
   /// @param unfit  is told of each before it goes.
   void remove_unfit(const std::function<void(const std::string& what)>& unfit) const;
   /// The plan's files, as prepare() hashed them.

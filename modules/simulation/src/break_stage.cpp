@@ -34,7 +34,7 @@ std::optional<double> meets_edge(Vec2 from, Vec2 course, double width) {
   return y;
 }
 
-/// Level ice in a box has come loose: what presses there presses no more, and floes around it wake.
+/// Level ice in a box has come loose: floes there press no more, and floes around it wake.
 void let_go(State& s, int level_ice, const geometry::Extent& box) {
   s.bearings.forget_within(level_ice, box);
   s.edges.forget_within(level_ice, box);
@@ -43,7 +43,7 @@ void let_go(State& s, int level_ice, const geometry::Extent& box) {
   s.sleep.wake_within(s.world, s.floes, box.lower + to_corner, norm(to_corner));
 }
 
-/// Level ice breaks at a contact: what has pressed there is forgotten, and floes around it wake.
+/// Level ice breaks at a contact: pressures there are forgotten, and floes around it wake.
 void forget_broken(State& s, const ice::Plate& plate, const EdgeContact& contact, const ice::CrackPlan& plan) {
   s.bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   s.edges.forget(contact);
@@ -100,7 +100,7 @@ bool has_broken(const Step& step, const EdgeContact& contact) {
   });
 }
 
-/// What is known of a break before the ice is cut.
+/// The data of a break before the ice is cut.
 model::CrackEvent event_of(const State& s, const Laws& laws, const EdgeContact& contact) {
   const MovingEdges::Life life = s.edges.life(contact).value_or(MovingEdges::Life{});
   return in_world(s, contact.level_ice,

@@ -62,7 +62,7 @@ void lay_sheets_that_meet(State& s) {
   }
 }
 
-/// A sheet splits or becomes a floe: what has pressed on it within `reach` of `at` is forgotten.
+/// A sheet splits or becomes a floe: pressures on it within `reach` of `at` are forgotten.
 void forget_ice(State& s, int number, Vec2 at, double reach) {
   s.bearings.forget_within(number, at, reach);
   s.edges.forget_within(number, at, reach);

@@ -85,7 +85,7 @@ struct BrokenIce {
   std::vector<geometry::Extent> severed;  ///< ice that lost its hold beyond the crack, in the same frame
 };
 
-/// A step while it is taken: its report, and what one stage leaves to another.
+/// A step while it is taken: its report, and the data that one stage leaves to another.
 struct Step {
   explicit Step(const Laws& laws) : region_loads(laws.regions) {}
 

@@ -203,7 +203,7 @@ Crowded crowded_edges(const Soup& soup) {
   return crowded;
 }
 
-/// A surface that may have holes, and what it took to make it.
+/// A surface that may have holes, and the repairs that made it.
 struct Surface {
   SurfaceMesh mesh;
   std::vector<bool> turned;  ///< of each face, whether it faces the other way than in the soup

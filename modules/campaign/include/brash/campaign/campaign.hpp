@@ -42,7 +42,7 @@ struct Campaign {
   std::string directory;
   bool resume = false;  ///< goes on with the cases that `directory` holds; without it there may be none
   std::string program;  ///< path of the `brash` command, whose `campaign-case` runs one case
-  /// Told of each done case that is not what the campaign made, such as one whose history was cut. It is run again.
+  /// Told of each done case that is not as the campaign made it, such as one whose history was cut. It is run again.
   std::function<void(const std::string& what)> unfit{};
 };
 
@@ -67,7 +67,7 @@ Counts run_slurm(const Campaign& campaign, SlurmOptions slurm);
 /// Writes the tables of the cases that are done or failed so far, and runs nothing. A missing case has no row.
 ///
 /// @return the counts.
-/// @throws InputError when no case is done or failed, or one is not what the campaign made, or as run_local does.
+/// @throws InputError when no case is done or failed, or one is not as the campaign made it, or as run_local does.
 Counts write_tables(const Campaign& campaign);
 
 /// The folder for the files of Slurm in the folder of a campaign.
