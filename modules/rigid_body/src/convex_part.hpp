@@ -30,8 +30,9 @@ struct ConvexPart {
 /// The prism over a convex counter-clockwise plan `ring` [m] between two heights [m].
 ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top);
 
-/// The convex hull of `points` [m], coplanar points in one face. Points closer to a plane than 1e-9 of the extent lie on
-/// it. Points inside a face or the hull are no vertices. Faces close a solid for any points that do not lie in a plane.
+/// The convex hull of `points` [m], coplanar points in one face. Points closer to a plane than 1e-9 of the extent lie
+/// on it. Points inside a face or the hull are no vertices. Faces close a solid for any points that do not lie in a
+/// plane.
 ConvexPart convex_hull(std::span<const Vec3> points);
 
 /// Two unit vectors that make a right-handed frame with the unit vector `normal`.
