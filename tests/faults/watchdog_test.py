@@ -33,7 +33,8 @@ class Watchdog(FaultTest):
             for _ in range(2):
                 done = call(run_command(folder, "--set", "time.duration=100", "--resume"))
                 self.fails_clearly(done, {1}, words, "brash: step ", " failed, from t = ", str(folder / "checkpoint.nc"))
-                self.assertEqual([p.name for p in folder.iterdir()], ["checkpoint.nc"])
+                self.assertEqual(sorted(p.name for p in folder.iterdir()), ["checkpoint.nc", "summary.json"])
+                self.assertEqual((folder / "summary.json").read_text(), "{}")
                 self.assertEqual((folder / "checkpoint.nc").read_bytes(), spoilt)
 
     def test_a_fault_that_takes_some_steps_leaves_the_state_just_before_it(self):
