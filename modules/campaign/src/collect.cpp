@@ -10,6 +10,8 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
@@ -37,10 +39,12 @@ struct Row {
   std::vector<double> values;
   std::vector<std::string> warnings;  ///< their ids
   model::Origin origin{};             ///< of a case that is done
+  bool is_repeated = false;           ///< an earlier replicate has the same numbers to the last digit
 };
 
 std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, const Schedule& schedule) {
   std::vector<Row> rows;
+  std::set<std::pair<std::size_t, std::string>> seen;  // settings and their numbers
   for (const auto& [key, state] : schedule.cases()) {
     if (state == CaseState::kMissing) continue;
     Row row{key, state == CaseState::kFailed, std::vector<double>(plan.columns.size(), kMissing), {}};
@@ -49,6 +53,8 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
       const std::string text = read_text(path);
       const auto numbers = columns_of(path, text);
       row.warnings = warnings_in(text);
+      row.is_repeated = !seen.emplace(key.setting, fingerprint(numbers)).second;
+      if (row.is_repeated) row.warnings.push_back(kRepeated);
       row.origin = io::origin_in(folder.case_folder(key) + "/manifest.json");
       for (std::size_t i = 0; i < plan.columns.size(); ++i)
         if (const auto found = numbers.find(plan.columns[i]); found != numbers.end()) row.values[i] = found->second;
@@ -185,6 +191,7 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
     if (row.key.setting != setting) continue;
     ++(row.failed ? n_failed : n_done);
     for (const std::string& id : row.warnings) ++warnings[id];
+    if (row.is_repeated) continue;  // it says nothing new about the mean
     for (std::size_t c = 0; c < plan.columns.size(); ++c)
       if (std::isfinite(row.values[c])) by_column[c].push_back(row.values[c]);
   }

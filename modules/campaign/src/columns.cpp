@@ -12,6 +12,7 @@
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::campaign {
@@ -85,6 +86,12 @@ const std::vector<std::string>& known_columns() {
     return names_in(summary);
   }();
   return names;
+}
+
+std::string fingerprint(const std::map<std::string, double>& numbers) {
+  std::string text;
+  for (const auto& [name, value] : numbers) text += fmt::format("{}={}\n", name, value);
+  return sha256(text);
 }
 
 std::string unit_of(const std::string& column) {

@@ -11,6 +11,9 @@ namespace brash::campaign {
 /// @throws InputError naming `path` when the text is no JSON.
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary);
 
+/// The same text for runs with the same numbers to the last digit, and another one for any others.
+std::string fingerprint(const std::map<std::string, double>& numbers);
+
 /// The unit of a known column (UDUNITS); 1 for counts, ratios, and yes or no.
 std::string unit_of(const std::string& column);
 

@@ -93,11 +93,9 @@ CaseState Folder::state(const CaseKey& key) const {
   return fs::exists(failure_record(key), ignored) ? CaseState::kFailed : CaseState::kMissing;
 }
 
-std::optional<double> Folder::value(const CaseKey& key, const std::string& column) const {
+std::map<std::string, double> Folder::numbers(const CaseKey& key) const {
   const std::string path = case_folder(key) + "/summary.json";
-  const auto columns = columns_of(path, read_text(path));
-  const auto found = columns.find(column);
-  return found == columns.end() ? std::nullopt : std::optional(found->second);
+  return columns_of(path, read_text(path));
 }
 
 /// The folder of a run, or of somebody else, has files of the same names, which would be lost.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -34,8 +35,8 @@ class Folder {
     return directory_ + "/settings/" + plan_.settings[setting].resolved.name + ".toml";
   }
   CaseState state(const CaseKey& key) const;
-  /// The number `column` of a done case; nothing when its summary has none.
-  std::optional<double> value(const CaseKey& key, const std::string& column) const;
+  /// The numbers of a done case by their columns.
+  std::map<std::string, double> numbers(const CaseKey& key) const;
 
   /// Makes the folder with its settings and the copies of their files.
   /// @throws InputError when a setting of that name is there already and differs, when cases are there and `resume`

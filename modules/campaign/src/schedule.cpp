@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
+#include "columns.hpp"
 
 namespace brash::campaign {
 
@@ -38,7 +40,10 @@ void Schedule::look_at(std::size_t setting, int replicate) {
   const CaseKey key{setting, replicate};
   Replicate& seen = settings_[setting][static_cast<std::size_t>(replicate)];
   seen.state = folder_.state(key);
-  if (plan_.stop && seen.state == CaseState::kDone) seen.value = folder_.value(key, plan_.stop->statistic);
+  if (!plan_.stop || seen.state != CaseState::kDone) return;
+  const std::map<std::string, double> numbers = folder_.numbers(key);
+  if (const auto found = numbers.find(plan_.stop->statistic); found != numbers.end()) seen.value = found->second;
+  seen.fingerprint = fingerprint(numbers);
 }
 
 void Schedule::look_at(const CaseKey& key) {
@@ -48,8 +53,9 @@ void Schedule::look_at(const CaseKey& key) {
 
 bool Schedule::is_narrow_enough(std::size_t setting) const {
   std::vector<double> values;
+  std::set<std::string> seen;
   for (const Replicate& replicate : settings_[setting])
-    if (replicate.value) values.push_back(*replicate.value);
+    if (replicate.value && seen.insert(replicate.fingerprint).second) values.push_back(*replicate.value);
   return plan_.stop && is_narrow(*plan_.stop, values);
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brash/campaign/campaign.hpp"
@@ -39,6 +40,7 @@ class Schedule {
     CaseState state = CaseState::kMissing;
     bool handed_out = false;
     std::optional<double> value;  ///< of the stop rule's statistic
+    std::string fingerprint;      ///< of all its numbers: replicates that coincide count once
   };
 
   void add_replicates(std::size_t setting, int n);

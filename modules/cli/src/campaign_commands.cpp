@@ -24,6 +24,7 @@
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
@@ -95,14 +96,20 @@ class CampaignProgress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// How many done cases of a setting coincide with an earlier replicate.
+int n_repeated(const nlohmann::ordered_json& setting) {
+  return setting.value("warnings", nlohmann::ordered_json::object()).value(campaign::kRepeated, 0);
+}
+
 /// How many cases of a setting are done without a mean load, and why; nothing where all have one.
 std::string without_mean(const std::string& name, const nlohmann::ordered_json& setting) {
   const auto& statistics = setting.at("statistics");
   const int n_done = setting.at("n_done").get<int>();
   for (const char* const column : {"horizontal.mean", "vertical.mean"}) {
     if (!statistics.contains(column)) continue;
-    const int n = n_done - statistics.at(column).at("n").get<int>();
-    if (n == 0) return "";
+    const int n_with = statistics.at(column).at("n").get<int>(), n_counted = n_done - n_repeated(setting);
+    if (n_with == n_counted) return "";
+    const int n = n_with == 0 ? n_done : n_counted - n_with;
     return fmt::format("{:<36} {:>4}  of {} cases without a mean: over before output.statistics_from\n", name, n,
                        n_done);
   }
@@ -215,6 +222,20 @@ void say_programs(const std::string& manifest_file) {
       cases.size(), fmt::join(numbers, " and "), manifest_file);
 }
 
+/// Names the settings with replicates that coincide.
+void say_repeated(const std::string& summary_file) {
+  const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
+  std::vector<std::string> names;
+  for (const auto& setting : summary.at("settings"))
+    if (const int n = n_repeated(setting); n > 0)
+      names.push_back(fmt::format("{} of {} in {}", n, setting.at("n_done").get<int>(),
+                                  printable(setting.at("setting").get<std::string>())));
+  if (names.empty()) return;
+  say("warning: {}: replicates have the numbers of an earlier one to the last digit, and count once: {}; too little of "
+      "these cases is random: vary the ice with ice.variation.thickness and ice.variation.flexural_strength\n",
+      campaign::kRepeated, fmt::join(names, ", "));
+}
+
 /// Prints the tables of a campaign and makes its page.
 void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts) {
   if (!options.json) print("{}\n", means_table(campaign.directory + "/summary.json"));
@@ -226,6 +247,7 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
     say("warning: {}/cases has {} done cases that the plan does not have now: no table counts them\n",
         options.directory, n);
   say_programs(campaign.directory + "/manifest.json");
+  say_repeated(campaign.directory + "/summary.json");
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
@@ -47,6 +48,16 @@ LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
                              "run the campaign with output.keep = \"history\" in its plan"});
 }
 
+/// @param once  replicates that coincide count once.
+std::map<std::string, std::vector<std::string>> done_cases_of(const std::string& folder, bool once) {
+  const TextTable table = read_text_table((fs::path(folder) / "campaign.csv").string(), kTable, kResume);
+  const std::size_t name = table.column("case"), setting = table.column("setting"), status = table.column("status");
+  std::map<std::string, std::vector<std::string>> found;
+  for (const TextTable::Row& row : table.rows)
+    if (row[status] == "done" && !(once && is_repeated(table, row))) found[row[setting]].push_back(row[name]);
+  return found;
+}
+
 }  // namespace
 
 bool is_campaign(const std::string& folder) {
@@ -75,12 +86,12 @@ void begin_as_run(HistoryChoice& choice, const std::string& history) {
 }
 
 std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder) {
-  const TextTable table = read_text_table((fs::path(folder) / "campaign.csv").string(), kTable, kResume);
-  const std::size_t name = table.column("case"), setting = table.column("setting"), status = table.column("status");
-  std::map<std::string, std::vector<std::string>> found;
-  for (const TextTable::Row& row : table.rows)
-    if (row[status] == "done") found[row[setting]].push_back(row[name]);
-  return found;
+  return done_cases_of(folder, false);
+}
+
+bool is_repeated(const TextTable& table, const TextTable::Row& row) {
+  const auto column = static_cast<std::size_t>(std::ranges::find(table.names, "warnings") - table.names.begin());
+  return column < row.size() && row[column].find(campaign::kRepeated) != std::string::npos;
 }
 
 std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
@@ -90,7 +101,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
                                "give the folder that `brash campaign` wrote"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;
-  std::map<std::string, std::vector<std::string>> done = done_cases(folder);
+  std::map<std::string, std::vector<std::string>> done = done_cases_of(folder, true);
   for (const ordered_json& given : read_settings(folder)) {
     SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
     names.push_back(setting.name);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "load_history.hpp"
+#include "text_table.hpp"
 
 namespace brash::cli {
 
@@ -31,6 +32,9 @@ void begin_as_run(HistoryChoice& choice, const std::string& history);
 /// and cases that ended after the tables were written.
 /// @throws InputError when `folder` has no such table.
 std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder);
+
+/// Whether a case of a campaign's table coincides with an earlier replicate. A table alone need not say so.
+bool is_repeated(const TextTable& table, const TextTable::Row& row);
 
 /// Reads one column of the replicates that campaign.csv counts as done, from the start of their statistics on.
 ///

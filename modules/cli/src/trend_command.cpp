@@ -17,6 +17,7 @@
 #include "brash/core/text.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
+#include "campaign_histories.hpp"
 #include "file_name.hpp"
 #include "messages.hpp"
 #include "origin_text.hpp"
@@ -52,12 +53,13 @@ std::vector<std::string> varied_keys(const std::filesystem::path& table) {
   return keys;
 }
 
-/// The rows of the settings that `where` leaves; empty: all.
+/// The rows of the settings that `where` leaves; empty: all. Replicates that coincide count once.
 std::vector<const TextTable::Row*> chosen(const TextTable& table, const std::string& where) {
   const std::size_t setting = table.column("setting");
   std::vector<const TextTable::Row*> rows;
   for (const TextTable::Row& row : table.rows)
-    if (where.empty() || fnmatch(where.c_str(), row[setting].c_str(), 0) == 0) rows.push_back(&row);
+    if (!is_repeated(table, row) && (where.empty() || fnmatch(where.c_str(), row[setting].c_str(), 0) == 0))
+      rows.push_back(&row);
   return rows;
 }
 

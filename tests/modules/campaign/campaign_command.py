@@ -66,7 +66,7 @@ class Command(unittest.TestCase):
         self.assertIn("has 4 done cases that the plan does not have now", fewer.stderr)
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
         self.assertEqual([setting["n_done"] for setting in summary["settings"]], [2] * 4)
-        self.assertNotIn("warning: ", quick(folder, "--replicates", "3", "--resume").stderr)
+        self.assertNotIn("done cases", quick(folder, "--replicates", "3", "--resume").stderr)
 
     def test_what_cases_keep_stays_as_it_was_begun(self):
         plan, folder = FOLDER / "keeping.toml", FOLDER / "keeping"
@@ -142,6 +142,22 @@ class Command(unittest.TestCase):
         self.assertEqual(done.stderr.count("is run again"), 5)
         self.assertEqual(different(self.whole, folder), [])
         self.assertNotIn("is run again", quick(folder, "--resume").stderr)
+
+    def test_replicates_that_coincide_are_named_and_count_once(self):
+        plan, folder = FOLDER / "alike.toml", FOLDER / "alike"
+        case = Path(PLAN).resolve().parents[3] / "experiments/validation/cone.toml"
+        plan.write_text(f'[campaign]\ncase = "{case}"\nreplicates = 3\n'
+                        '[set]\nfailure.model = "wedge"\nfailure.wedges = [4, 4]\ntime.duration = 0.2\noutput.statistics_from = 0.1\n'
+                        '[output]\nkeep = "history"\n', encoding="utf-8")
+        done = campaign("-o", folder, plan=plan)  # it breaks no ice, and only breaks are drawn
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "warning: same-as-a-replicate: .* 2 of 3 in .*ice.variation.thickness")
+        setting, = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["settings"]
+        self.assertEqual((setting["n_done"], setting["warnings"]["same-as-a-replicate"]), (3, 2))
+        self.assertEqual(setting["statistics"]["horizontal.mean"]["n"], 1)
+        self.assertIsNone(setting["statistics"]["horizontal.mean"]["mean_95"])
+        table = list(csv.DictReader((folder / "campaign.csv").read_text(encoding="utf-8").splitlines()))
+        self.assertEqual(["same-as-a-replicate" in row["warnings"] for row in table], [False, True, True])
 
     def test_an_interrupted_campaign_says_so_with_exit_code_3(self):
         folder = FOLDER / "interrupted"
@@ -271,7 +287,8 @@ class Command(unittest.TestCase):
             self.assertEqual(table["structure.speed"].units, "m s-1")
             self.assertEqual(table["horizontal.mean"].units, "N")
         for setting in summary["settings"]:
-            values = [float(row["horizontal.mean"]) for row in rows if row["setting"] == setting["setting"]]
+            values = [float(row["horizontal.mean"]) for row in rows
+                      if row["setting"] == setting["setting"] and "same-as-a-replicate" not in row["warnings"]]
             interval = stats.t.interval(0.95, len(values) - 1, np.mean(values), stats.sem(values))
             # Two ways to sum and to invert Student's distribution.
             np.testing.assert_allclose(setting["statistics"]["horizontal.mean"]["mean_95"], interval, rtol=1e-9)

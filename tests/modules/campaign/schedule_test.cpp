@@ -64,6 +64,24 @@ std::vector<std::string> ids(const Schedule& schedule, const Folder& folder) {
 
 BOOST_AUTO_TEST_SUITE(schedule)
 
+BOOST_AUTO_TEST_CASE(replicates_that_coincide_count_once_and_fulfil_no_stop_rule) {
+  io::CampaignPlan plan = plan_with_rule(1, 0.04);
+  const Scratch scratch;
+  const Folder folder(plan, scratch.folder().string());
+  Schedule schedule(plan, folder);
+  while (const auto key = schedule.next()) {
+    std::filesystem::create_directories(folder.case_folder(*key));
+    std::ofstream(folder.case_folder(*key) + "/summary.json") << "{\"x\": 10.5, \"y\": 2}";
+    schedule.look_at(*key);
+  }
+  BOOST_TEST(schedule.counts().n_done == plan.stop->most_replicates);
+  BOOST_TEST(!schedule.is_narrow_enough(0));
+  // The same statistic of other runs is another value.
+  for (int i = 1; i < 3; ++i)
+    std::ofstream(folder.case_folder({0, i}) + "/summary.json") << "{\"x\": 10.5, \"y\": " << 2 + i << "}";
+  BOOST_TEST(Schedule(plan, folder).is_narrow_enough(0));
+}
+
 BOOST_AUTO_TEST_CASE(the_replicates_of_a_stop_rule_do_not_depend_on_who_finishes_when) {
   const io::CampaignPlan plan = plan_with_rule(6, 0.04);
   std::vector<std::vector<std::string>> outcomes;
