@@ -18,7 +18,6 @@ import sys
 import tempfile
 import time
 
-from default_runs import default
 from measure import BIN, REPETITIONS, ROOT, line, output_and_seconds, ratios, user_seconds
 from peers import plate, rigid_bodies, rigid_body_peers, threads_beside_bullet
 from schedule_bench import schedule
@@ -269,8 +268,7 @@ def sheets():
 
 LINES = {function.__name__: function
          for function in (coupled, real_time, growth, many, threads, threads_beside_bullet, schedule, length, channel, water,
-                          geometry, failure, plate, sheets, rigid_bodies, rigid_body_peers, campaign, workers, recording, build,
-                          default)}
+                          geometry, failure, plate, sheets, rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
 TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "many": ["bench_growth"], "threads": ["bench_growth"],
            "threads_beside_bullet": ["bench_threads"], "schedule": ["bench_schedule"], "channel": ["brash_python"], "water": ["bench_growth"],
            "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"], "sheets": ["bench_sheets"],
