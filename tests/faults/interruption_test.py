@@ -196,6 +196,13 @@ class Interruption(FaultTest):
         self.assertFalse((self.folder / "results.part").exists())
         self.assertEqual(self.bytes_of(self.folder), whole)
 
+    def test_a_run_that_was_killed_before_its_mark_was_whole_leaves_the_folder_to_the_next_one(self):
+        part = self.folder / "results.part"
+        part.mkdir(parents=True)
+        (part / "run.begun.4711.part").write_text("The results")
+        self.succeeds(run_command(self.folder))
+        self.assertFalse(part.exists())
+
     def test_a_folder_of_somebody_else_is_not_taken_for_results_of_a_run(self):
         mine = self.folder / "results.part/mine"
         mine.parent.mkdir(parents=True)

@@ -55,6 +55,28 @@ bool is_manifest(const fs::path& file) {
 constexpr const char* kNewResults = "results.part";
 constexpr const char* kRunMark = "run.begun";
 
+/// Whether a folder is of results that are not whole: it has the mark, or a run died before that was whole.
+bool is_of_new_results(const fs::path& part) {
+  bool only_of_mark = true;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(part, ignored)) {
+    const std::string name = entry.path().filename();
+    if (name == kRunMark) return true;
+    only_of_mark = only_of_mark && name.starts_with(kRunMark);
+  }
+  return only_of_mark;
+}
+
+/// The mark goes last: a run may die here too.
+void remove_new_results(const fs::path& part) {
+  std::error_code ignored;
+  std::vector<fs::path> others;
+  for (const auto& entry : fs::directory_iterator(part, ignored))
+    if (entry.path().filename() != kRunMark) others.push_back(entry.path());
+  for (const fs::path& other : others) fs::remove_all(other, ignored);
+  fs::remove_all(part, ignored);
+}
+
 /// Gives the whole results in `part` their names in `directory`, in place of older ones. The manifest, which vouches
 /// for the others, goes first and comes last: as long as the new one is in `part`, this can be done again.
 void move_results(const fs::path& part, const fs::path& directory) {
@@ -70,7 +92,7 @@ void move_results(const fs::path& part, const fs::path& directory) {
       fs::create_directories((directory / name).parent_path());
       fs::rename(part / name, directory / name);
     }
-    fs::remove_all(part);
+    remove_new_results(part);
   } catch (const fs::filesystem_error& error) {
     throw StorageError(
         fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
@@ -84,12 +106,11 @@ void settle_results(const fs::path& directory) {
   std::error_code ignored;
   const fs::file_status status = fs::symlink_status(part, ignored);
   if (!fs::exists(status)) return;
-  const bool is_own = fs::is_directory(status) && (fs::is_empty(part, ignored) || fs::exists(part / kRunMark, ignored));
-  if (!is_own)
+  if (!fs::is_directory(status) || !is_of_new_results(part))
     throw InputError(Complaint{part.string(), "is there, but no run left it, and a run would write into it",
                                "a folder that is new, empty or of a run", "give another folder, or move it"});
   if (is_manifest(part / "manifest.json")) return move_results(part, directory);
-  fs::remove_all(part, ignored);
+  remove_new_results(part);
 }
 
 /// A run replaces the files of an earlier run, and nothing else. A folder has no place under the name of a file.
@@ -158,7 +179,7 @@ NewResults::~NewResults() {
   const fs::path part = fs::path(directory_) / kNewResults;
   std::error_code ignored;
   // Whole results whose names could not be given wait for the next command.
-  if (!fs::exists(part / "manifest.json", ignored)) fs::remove_all(part, ignored);
+  if (!fs::exists(part / "manifest.json", ignored)) remove_new_results(part);
 }
 
 void NewResults::begin() const {
