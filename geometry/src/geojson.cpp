@@ -26,7 +26,7 @@ class Reader {
   tl::expected<std::vector<Feature>, GeometryError> features() {
     read();
     if (error_) return tl::unexpected(*error_);
-    mend_round_off(features_, left_out_);
+    repair_round_off(features_, left_out_);
     return std::move(features_);
   }
   /// The same; ice of its own that a feature cannot have is a fault.

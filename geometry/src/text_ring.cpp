@@ -131,22 +131,22 @@ std::string LeftOut::to_string() const {
   add(n_features, "features without geometry");
   add(n_ids, "ids that are no whole numbers");
   add(n_thin, "rings thinner than the grid of 1 nm");
-  add(n_mended, "slivers where rounding made an outline cross itself");
-  if (n_mended > 0) text.insert(text.size() - 1, fmt::format(", {:.2g} m2", mended.square_metres()));
+  add(n_repaired, "slivers where rounding made an outline cross itself");
+  if (n_repaired > 0) text.insert(text.size() - 1, fmt::format(", {:.2g} m2", repaired.square_metres()));
   return text;
 }
 
-void mend_round_off(std::vector<Feature>& features, LeftOut& left_out) {
+void repair_round_off(std::vector<Feature>& features, LeftOut& left_out) {
   std::vector<Feature> result;
   for (Feature& feature : features) {
-    const auto mended = fault_of(feature.polygon).empty() ? std::nullopt : without_round_off(feature.polygon);
-    if (!mended) {
+    const auto repaired = fault_of(feature.polygon).empty() ? std::nullopt : without_round_off(feature.polygon);
+    if (!repaired) {
       result.push_back(std::move(feature));
       continue;
     }
-    ++left_out.n_mended;
-    left_out.mended += mended->changed;
-    for (const Polygon& part : mended->parts) {
+    ++left_out.n_repaired;
+    left_out.repaired += repaired->changed;
+    for (const Polygon& part : repaired->parts) {
       result.push_back(feature);
       result.back().polygon = part;
     }

@@ -49,9 +49,9 @@ class Survey {
 /// Content of a text that the plan cannot hold.
 struct LeftOut {
   std::size_t n_heights = 0, n_features = 0, n_ids = 0;
-  std::size_t n_thin = 0;    ///< rings that are thinner than the grid
-  std::size_t n_mended = 0;  ///< polygons that rounding made cross themselves
-  ExactArea mended;          ///< area of their slivers and whiskers
+  std::size_t n_thin = 0;      ///< rings that are thinner than the grid
+  std::size_t n_repaired = 0;  ///< polygons that rounding made cross themselves
+  ExactArea repaired;          ///< area of their slivers and whiskers
 
   /// "heights (12), features without geometry (1)"; empty: nothing.
   std::string to_string() const;
@@ -76,7 +76,7 @@ tl::expected<std::vector<Point>, std::string> points_from_text(std::span<const P
 tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positions, bool is_hole, const Origin& origin);
 
 /// Makes simple what rounding alone has made cross itself, and counts it. Polygons with larger faults stay.
-void mend_round_off(std::vector<Feature>& features, LeftOut& left_out);
+void repair_round_off(std::vector<Feature>& features, LeftOut& left_out);
 
 /// The cracks between neighbours of `positions`; two positions on one grid point make none.
 tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<const Position> positions,

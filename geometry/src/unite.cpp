@@ -46,7 +46,7 @@ tl::expected<Union, GeometryError> unite(std::span<const Polygon> polygons) {
   return result;
 }
 
-std::optional<Mended> without_round_off(const Polygon& polygon) {
+std::optional<Repaired> without_round_off(const Polygon& polygon) {
   PolygonEdges edges;
   if (!edges.add(polygon, 0).empty()) return std::nullopt;
   const PolygonEdges::Noded noded = edges.noded(edges.crossings());
@@ -55,7 +55,7 @@ std::optional<Mended> without_round_off(const Polygon& polygon) {
   for (const auto& [times, twice_area] : coverage.twice_areas)
     if (times != 1) wrong += twice_area;
   if (wrong > most_round_off(polygon)) return std::nullopt;
-  return Mended{polygons_of(coverage.boundary), ExactArea(wrong)};
+  return Repaired{polygons_of(coverage.boundary), ExactArea(wrong)};
 }
 
 }  // namespace brash::geometry

@@ -26,7 +26,7 @@ class Reader {
   tl::expected<Map, GeometryError> map() {
     auto features = all<Feature>("POLYGON", [this](std::vector<Feature>& read) { read_polygon(read); });
     if (!features) return tl::unexpected(std::move(features).error());
-    mend_round_off(*features, left_out_);
+    repair_round_off(*features, left_out_);
     return Map{*std::move(features), {}, crs(), false, left_out_.to_string()};
   }
   tl::expected<Lines, GeometryError> lines() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structure and floes load the edge of level ice, which moves, is crushed, and is judged.
+// Structure and floes load the edge of level ice, which moves, is crushed, and gets its verdicts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void for_each_sheet(const State& s, std::vector<EdgeContact>& contacts, const Us
   contacts = std::move(sorted);
 }
 
-/// Every contact of the structure with level ice, were the structure in `state` at `time`; not yet judged.
+/// Every contact of the structure with level ice, were the structure in `state` at `time`; without a verdict.
 /// @param later  how long the sheets drift on until then [s].
 std::vector<EdgeContact> contacts_at(const State& s, const Laws& laws, const structure::State& state, double later,
                                      double time) {

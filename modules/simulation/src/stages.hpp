@@ -20,15 +20,15 @@ EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate);
 /// as far as the verdicts before can tell: docs/theory/simulation.md, (S7). The trailing outlines then crush the ice
 /// that they cover. So the contacts belong to the state that is reached, however short or long the step.
 /// @param done  share of the step before.
-/// @return the structure's contacts with level ice, not yet judged.
+/// @return the structure's contacts with level ice, without a verdict.
 std::vector<EdgeContact> move_within_limits(State& s, const Laws& laws, double done, double& share, Step& step);
 /// A part of the step loads the structure by crushing (Eq. 15), and edges that move follow its loads.
 void crush_edges(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, double done, double share, Step& step);
 /// Adds the edges of level ice under the floes that press on them, by their forces up to the step before. In the order
-/// of the floes; not yet judged.
+/// of the floes; without a verdict.
 void add_contacts_of_floes(const State& s, const Laws& laws, std::vector<EdgeContact>& contacts);
-/// Judges the contacts of each level ice together (Eqs. 17 to 19, or the plate). The most stressed one is first then
-/// where loads act together: it breaks the ice first.
+/// Finds the verdicts on the contacts of each level ice together (Eqs. 17 to 19, or the plate). The most stressed one
+/// is first then where loads act together: it breaks the ice first.
 void judge(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, double now, Step& step);
 /// The plane of the ice has an end, and so has the motion of a body that another program or its loads throw about.
 /// @throws RunError beyond it.
@@ -53,7 +53,7 @@ void follow_outline(State& s, const ice::Plate& plate, const geometry::Extent& c
 
 // sheet_stage.cpp: sheets with free borders move, take their loads, split, and become floes when they are small.
 
-/// Where the level ice is. A sheet that drifts is rounded to the grid anew.
+/// Where the level ice is. A sheet that drifts is rounded to the grid again.
 std::vector<geometry::Polygon> outlines_in_world(const State& s);
 /// An event of level ice that drifts, where it was.
 model::CrackEvent in_world(const State& s, int level_ice, model::CrackEvent event);
@@ -68,7 +68,7 @@ void take_back_sheets(State& s, const Laws& laws);
 /// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/fracture-of-floes.md, (G6), (G7),
 /// (G8).
 void split_sheets(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step);
-/// A sheet that has become small goes on as a floe.
+/// A sheet that has become small becomes a floe.
 void release_small_sheets(State& s, const Laws& laws, Step& step);
 
 // floe_stage.cpp: floes float, sleep, are crushed and split.

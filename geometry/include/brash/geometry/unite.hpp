@@ -33,13 +33,13 @@ struct Union {
 tl::expected<Union, GeometryError> unite(std::span<const Polygon> polygons);
 
 /// A polygon that rounding its vertices to the grid had made cross itself, made simple again.
-struct Mended {
+struct Repaired {
   std::vector<Polygon> parts;  ///< as of Union; none where nothing was wider than the grid
   ExactArea changed;           ///< covered otherwise than once before
 };
 
 /// Leads the edges of `polygon` through the pixels of their crossings, and drops whiskers, which have no area left.
 /// @return nothing where its faults are larger than rounding makes them: more than four grid units beside its edges.
-std::optional<Mended> without_round_off(const Polygon& polygon);
+std::optional<Repaired> without_round_off(const Polygon& polygon);
 
 }  // namespace brash::geometry
