@@ -19,6 +19,8 @@ constexpr double kKeptOverlap = 5e-4;
 
 /// Floes or bodies that a thread takes at a time, at some 5 us for each.
 constexpr std::size_t kFloes = 16;
+/// Bodies over the bed that a thread takes at a time: some ns for each, 1 us on the bed.
+constexpr std::size_t kOverBed = 64;
 /// Contacts that a thread looks at, at some 30 ns for each.
 constexpr std::size_t kContacts = 256;
 
@@ -75,6 +77,31 @@ void ContactSet::find(const Part& part, Body& second, Search& search, std::vecto
     if (search.narrow_phase.find_contact(search.beside(part, *met)))
       contacts.push_back({part.body, &second, part.number, search.narrow_phase.normal, search.narrow_phase.patch,
                           law(second), part.body->gives_way() || second.gives_way()});
+  }
+}
+
+void ContactSet::find_on_bed(std::span<Body* const> bodies, Workers& workers) {
+  if (!bed_) return;
+  on_bed_.resize(bodies.size() / kOverBed + 1);
+  for (std::vector<Contact>& contacts : on_bed_) contacts.clear();
+  workers.chunks(bodies.size(), kOverBed, [&](std::size_t begin, std::size_t end, int worker) {
+    OverlapFinder& finder = searches_[static_cast<std::size_t>(worker)].below;
+    for (const Body* const body : bodies.subspan(begin, end - begin))
+      if (body->is_floe() && !body->settled && body->box.lower.z < bed_->height)
+        find_on_bed(*body, finder, on_bed_[begin / kOverBed]);
+  });
+  for (const std::vector<Contact>& contacts : on_bed_)
+    for (const Contact& contact : contacts) contacts_.push_back(&contact);
+}
+
+/// The direction is known, so no face between two parts of a floe can be one.
+void ContactSet::find_on_bed(const Body& floe, OverlapFinder& finder, std::vector<Contact>& contacts) {
+  constexpr Vec3 kUpwards{0.0, 0.0, 1.0};
+  for (const auto& part : floe.parts) {
+    finder.below(part->now, {kUpwards, bed_->height});
+    const Patch& patch = finder.project(kUpwards);
+    if (patch.n_points > 0)
+      contacts.push_back({part->body, &bed_body_, part->number, kUpwards, patch, bed_->law, /*moves_a_body=*/true});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,16 @@ namespace brash::rigid_body {
 class ContactSet {
  public:
   explicit ContactSet(const WorldSettings& settings)
-      : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice), release_speed_(settings.release_speed) {
-    ground_.id = kNoBody;
+      : ice_structure_(settings.ice_structure),
+        ice_ice_(settings.ice_ice),
+        bed_(settings.bed),
+        release_speed_(settings.release_speed) {
+    ground_.id = bed_body_.id = kNoBody;
     ground_.kind = BodyKind::kSheet;
+    bed_body_.kind = BodyKind::kBed;
+    if (!bed_) return;
+    bed_body_.twist.linear = {bed_->velocity.x, bed_->velocity.y, 0.0};
+    bed_body_.mean_twist = bed_body_.loaded_twist = bed_body_.twist;
   }
 
   /// A floe and the bodies whose boxes overlap its own, in the order of the step; all have it first.
@@ -32,6 +40,10 @@ class ContactSet {
   /// step.
   /// @param dispatcher  says which bodies do not collide: two that are linked, for one.
   void find(std::span<const Meeting> meetings, btDispatcher& dispatcher, Workers& workers);
+  /// Adds the contacts of floes with the bed; `bodies` in the order of the step.
+  void find_on_bed(std::span<Body* const> bodies, Workers& workers);
+  /// The bed for a solver, if it moves; else none, and it is BoundedSolver::kFixed.
+  Body* moving_bed() { return bed_body_.twist == Twist{} ? nullptr : &bed_body_; }
   /// Adds contacts that were found elsewhere; of bodies in the order of the step.
   void add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body);
   /// The settled floes that another body runs into faster than WorldSettings::release_speed.
@@ -70,6 +82,7 @@ class ContactSet {
     Beside beside(const Part& part, const Part& of_second);
 
     NarrowPhase narrow_phase;
+    OverlapFinder below;                  ///< finds parts of floes below the surface of the bed
     std::vector<const Part*> near_sheet;  ///< the parts of the sheet that the floe meets
     std::vector<const Part*> beside_first;
     std::vector<const Part*> beside_second;
@@ -85,6 +98,7 @@ class ContactSet {
   }
   void find(const Meeting& meeting, btDispatcher& dispatcher, Search& search, Found& found) const;
   void find(const Part& part, Body& second, Search& search, std::vector<Contact>& contacts) const;
+  void find_on_bed(const Body& floe, OverlapFinder& finder, std::vector<Contact>& contacts);
   static bool is_of_struck_and_settled(const Contact& contact);
   bool hits_settled(const Contact& contact) const;
   bool closes_fast(const Contact& contact, const Twist& first, const Twist& second) const;
@@ -118,10 +132,13 @@ class ContactSet {
 
   ContactLaw ice_structure_;
   ContactLaw ice_ice_;
-  double release_speed_;          ///< [m/s]
-  Body ground_;                   ///< bears a given contact without another body
-  std::vector<Search> searches_;  ///< of each worker
-  std::vector<Found> found_;      ///< of each chunk of floes
+  std::optional<Bed> bed_;
+  double release_speed_;                      ///< [m/s]
+  Body ground_;                               ///< bears a given contact without another body
+  Body bed_body_;                             ///< the bed as the other body of its contacts
+  std::vector<Search> searches_;              ///< of each worker
+  std::vector<Found> found_;                  ///< of each chunk of floes
+  std::vector<std::vector<Contact>> on_bed_;  ///< of each chunk of bodies
   std::vector<Contact> given_;
   std::vector<const Contact*> solved_;            ///< those that the solver knows
   std::vector<const Contact*> contacts_;          ///< all, in the order of the step

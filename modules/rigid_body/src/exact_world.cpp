@@ -99,6 +99,7 @@ void ExactWorld::find_contacts() {
   }
   contacts_.find(meetings_, dispatcher, workers());
   between_sheets_.find(pairs_of_sheets_);
+  contacts_.find_on_bed(order(), workers());
   contacts_.add(given(), [this](BodyId id) { return &get(id); });
 }
 
@@ -133,6 +134,10 @@ void ExactWorld::solve_rows(std::span<btTypedConstraint* const> constraints, con
     if ((of_sheet && !body->is_free()) || body->settled) continue;
     in_solver_.push_back(body);
     body->in_solver = static_cast<std::uint32_t>(in_solver_.size());
+  }
+  if (Body* const bed = contacts_.moving_bed()) {
+    in_solver_.push_back(bed);
+    bed->in_solver = static_cast<std::uint32_t>(in_solver_.size());
   }
   if (any_drifts())
     for (Body* body : order())

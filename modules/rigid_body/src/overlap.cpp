@@ -92,6 +92,14 @@ const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   return overlap_;
 }
 
+const Overlap& OverlapFinder::below(const PlacedPart& a, const Plane& surface) {
+  overlap_.vertices.clear();
+  overlap_.axes.clear();
+  of_a_.reset(a.corners, 1);
+  if (of_a_.add(a.corners, surface).least < -kTouch) add_corners(a, of_a_);
+  return overlap_;
+}
+
 /// Andrew's monotone chain on plane_points_, counter-clockwise.
 void OverlapFinder::hull_2d() {
   std::vector<Vec2>& p = plane_points_;

@@ -58,6 +58,8 @@ class OverlapFinder {
   /// part passes a face of the other. Only planes that pass through the other part cut its edges, so a hull of many
   /// facets costs one height per facet and vertex.
   const Overlap& find(const PlacedPart& a, const PlacedPart& b);
+  /// The part of `a` below the surface of a solid half-space, without axes.
+  const Overlap& below(const PlacedPart& a, const Plane& surface);
   const Overlap& last() const { return overlap_; }
   /// Of the last overlap: a's vertices over planes of b, and b's over planes of a.
   const Heights& heights_of_a() const { return of_a_; }

@@ -27,7 +27,11 @@ std::unique_ptr<BodyWorld> make(const WorldSettings& settings) {
 World::World(const WorldSettings& settings) : world_(make(settings)) {
   BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0, settings.iterations,
                 settings.collision_margin);
-  for (const ContactLaw& law : {settings.ice_structure, settings.ice_ice})
+  const Bed bed = settings.bed.value_or(Bed{});
+  BRASH_EXPECTS(!settings.bed || settings.engine == Engine::kBrash, "a bed needs the engine kBrash");
+  BRASH_EXPECTS(std::isfinite(bed.height + bed.velocity.x + bed.velocity.y), bed.height, bed.velocity.x,
+                bed.velocity.y);
+  for (const ContactLaw& law : {settings.ice_structure, settings.ice_ice, bed.law})
     BRASH_EXPECTS(law.friction >= 0.0 && law.crushing_pressure > 0.0, law.friction, law.crushing_pressure);
   const double most_restitution = settings.engine == Engine::kBullet ? 0.0 : 1.0;
   BRASH_EXPECTS(settings.restitution >= 0.0 && settings.restitution <= most_restitution, settings.restitution);

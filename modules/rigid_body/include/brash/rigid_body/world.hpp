@@ -28,6 +28,14 @@ struct ContactLaw {
   double crushing_pressure = std::numeric_limits<double>::infinity();
 };
 
+/// The bed of the water: level and rigid, without end, and solid below its surface. It has no body. Floes meet it as
+/// they meet the sheet (docs/theory/contacts-and-bodies.md, (C9)).
+struct Bed {
+  double height = 0.0;  ///< of its surface [m]
+  ContactLaw law{};     ///< of ice on the bed
+  Vec2 velocity{};      ///< along the surface [m/s]
+};
+
 /// The engine that finds the contacts and solves them.
 enum class Engine {
   kBrash,   ///< exact overlaps, a bounded solver, no history: a step is a function of the state
@@ -37,6 +45,7 @@ enum class Engine {
 struct WorldSettings {
   ContactLaw ice_structure{};
   ContactLaw ice_ice{};
+  std::optional<Bed> bed{};  ///< none: deep water. Engine::kBrash only
   /// e of Eq. 5 [-], 0 to 1: one for all contacts, so that they never gain energy (docs/theory/contacts-and-bodies.md,
   /// (C6)). Engine::kBullet knows 0 alone.
   double restitution = 0.0;
@@ -89,12 +98,12 @@ struct PlacedPrism {
 PlacedPrism place_prism(std::span<const std::vector<Vec2>> rings, std::span<const std::vector<Vec2>> parts,
                         double thickness, double mid_height);
 
-enum class BodyKind { kFloe, kStructure, kSheet };
+enum class BodyKind { kFloe, kStructure, kSheet, kBed };
 
 /// One contact point's load, as the solver left it. A pair of floes is reported once, with `body` < `other`.
 struct ContactLoad {
   BodyId body;                            ///< the floe, or as it was given
-  BodyId other;                           ///< structure, sheet or another floe, or as it was given
+  BodyId other;                           ///< structure, sheet or another floe, or as it was given; kNoBody of the bed
   BodyKind other_kind = BodyKind::kFloe;  ///< kind of `other`
   Vec3 point{};                           ///< where it was found, at the start of the step [m], world
   Vec3 normal{};                          ///< unit, from `other` into `body`
@@ -124,6 +133,9 @@ struct SheetInPlane {
   Vec2 force{};          ///< of all but contacts [N]
   double moment = 0.0;   ///< likewise, about the centre [N m]
 };
+
+/// Force on `body` [N].
+constexpr Vec3 force(const ContactLoad& c) { return c.normal_force * c.normal + c.friction_force; }
 
 /// Power of the normal force on both bodies together [W]; negative: kinetic energy lost to crushing and impact.
 constexpr double normal_power(const ContactLoad& c) {
