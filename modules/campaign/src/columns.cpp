@@ -81,6 +81,7 @@ const std::vector<std::string>& known_columns() {
       summary.regions.push_back({region, {}});  // of a ship
     });
     summary.fastest_floe = 0.0;  // of a run with frames
+    summary.energy.losses.bed_contact = 1.0;
     summary.initial_floes.emplace();
     summary.initial_floes->size_quantiles.resize(summary.piece_area_quantiles.size());
     return names_in(summary);

@@ -170,12 +170,16 @@ std::string energy(const simulation::EnergyBalance& e) {
       "deleted, broke or\n    fell asleep; error {:.2f} ({:.3f} %), births {:.2g}\n",
       unit.name, e.work / unit.one, e.kinetic_energy / unit.one, e.potential_energy / unit.one, l.edge / unit.one,
       l.bending / unit.one, e.removed_energy / unit.one, e.error / unit.one, share, e.birth_energy / unit.one);
-  text += "  floes against          structure     sheet     floes     water\n";
-  text += fmt::format("  crushing, impact, drag {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_contact / unit.one,
+  const bool grounds = l.bed_contact != 0.0 || l.bed_friction != 0.0;
+  const auto of_bed = [&](double loss) { return grounds ? fmt::format("{:>10.1f}\n", loss / unit.one) : "\n"; };
+  text += "  floes against          structure     sheet     floes     water";
+  text += grounds ? "       bed\n" : "\n";
+  text += fmt::format("  crushing, impact, drag {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}", l.structure_contact / unit.one,
                       l.sheet_contact / unit.one, l.floe_contact / unit.one, l.drag / unit.one);
-  text += fmt::format("  friction               {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_friction / unit.one,
+  text += of_bed(l.bed_contact);
+  text += fmt::format("  friction               {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}", l.structure_friction / unit.one,
                       l.sheet_friction / unit.one, l.floe_friction / unit.one, l.skin_friction / unit.one);
-  return text;
+  return text + of_bed(l.bed_friction);
 }
 
 std::string residual(const simulation::RunSummary& s) {

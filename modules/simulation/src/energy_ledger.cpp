@@ -8,6 +8,12 @@ using rigid_body::BodyKind;
 using rigid_body::ContactLoad;
 using rigid_body::World;
 
+/// The bed takes all that the ice gives it, heat or work: like a current, it has no work of its own in the balance.
+void book_bed(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
+  losses.bed_contact -= dt * contact.normal_force * dot(contact.normal, contact.body_velocity);
+  losses.bed_friction -= dt * dot(contact.friction_force, contact.body_velocity);
+}
+
 void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   const double normal = -dt * rigid_body::normal_power(contact);
   const double friction = -dt * rigid_body::friction_power(contact);
@@ -18,6 +24,7 @@ void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   if (contact.other_kind == BodyKind::kStructure) add(losses.structure_contact, losses.structure_friction);
   if (contact.other_kind == BodyKind::kSheet) add(losses.sheet_contact, losses.sheet_friction);
   if (contact.other_kind == BodyKind::kFloe) add(losses.floe_contact, losses.floe_friction);
+  if (contact.other_kind == BodyKind::kBed) book_bed(losses, contact, dt);
 }
 
 WorkOfWater work_of_water(const World& world, BodyId body, const Floe& floe, double dt) {

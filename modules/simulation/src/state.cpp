@@ -10,10 +10,18 @@
 namespace brash::simulation {
 namespace {
 
+/// None in deep water.
+std::optional<rigid_body::Bed> bed_of(const model::Case& c, double crushing_pressure) {
+  if (!c.water.depth) return std::nullopt;
+  return rigid_body::Bed{
+      .height = -*c.water.depth, .law = {c.water.bed_friction, crushing_pressure}, .velocity = bed_past_ice(c)};
+}
+
 rigid_body::WorldSettings world_settings(const model::Case& c) {
   const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
   return {.ice_structure = {c.ice.friction_structure, crushing},
           .ice_ice = {c.ice.friction_ice, crushing},
+          .bed = bed_of(c, crushing),
           .restitution = c.contact.restitution,
           .iterations = c.contact.iterations,
           .collision_margin = c.contact.margin,

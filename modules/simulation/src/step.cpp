@@ -46,16 +46,18 @@ void step_bodies(State& s, const Laws& laws, Step& step) {
   step.report.last_change = s.world.last_change();
 }
 
-/// The loads of floes on the structure, about where it was when their contacts were found; sheet axes.
+/// The loads of floes on the structure and the bed, about where the structure was when their contacts were found; sheet
+/// axes.
 struct FloeLoads {
-  Wrench normal, friction;
+  Wrench normal, friction, bed;
 };
 
 FloeLoads floe_loads(const State& s, Step& step) {
   FloeLoads loads;
   for (const rigid_body::ContactLoad& contact : s.world.contacts()) {
-    if (contact.other != s.structure_body) continue;
     const Vec3 arm = contact.point - step.start.position;
+    if (contact.other_kind == rigid_body::BodyKind::kBed) loads.bed += {-force(contact), cross(arm, -force(contact))};
+    if (contact.other != s.structure_body) continue;
     const Vec3 normal = -contact.normal_force * contact.normal;
     const Vec3 friction = -contact.friction_force;
     loads.normal += {normal, cross(arm, normal)};
@@ -93,7 +95,7 @@ void report_motion(const State& s, model::LoadRow& row) {
 Wrench collect_loads(State& s, const Laws& laws, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.loads);
   look_for_interruption();
-  const auto [normal, friction] = floe_loads(s, step);
+  const auto [normal, friction, bed] = floe_loads(s, step);
   Wrench total = step.crushing;
   total += normal;
   total += friction;
@@ -105,6 +107,7 @@ Wrench collect_loads(State& s, const Laws& laws, Step& step) {
   row.floe_normal = in_load_axes(normal);
   row.floe_friction = in_load_axes(friction);
   row.total = in_load_axes(total);
+  row.bed = in_load_axes(bed);
   row.regions = step.region_loads.in(in_load_axes);
 
   const double dt = laws.resolved.time.step;

@@ -175,8 +175,11 @@ EnergyBalance energy_balance(std::span<const model::LoadRow> rows) {
 
 nlohmann::ordered_json json_of(const EnergyBalance& e) {
   nlohmann::ordered_json losses;
-  model::EnergyLosses::visit(
-      [&](const char* cause, const char*, double model::EnergyLosses::*loss) { losses[cause] = e.losses.*loss; });
+  const auto add = [&](const char* cause, const char*, double model::EnergyLosses::*loss) {
+    losses[cause] = e.losses.*loss;
+  };
+  model::EnergyLosses::visit_without_bed(add);
+  if (e.losses.bed_contact != 0.0 || e.losses.bed_friction != 0.0) model::EnergyLosses::visit_of_bed(add);
   return {{"work", e.work},
           {"birth_energy", e.birth_energy},
           {"kinetic_energy", e.kinetic_energy},

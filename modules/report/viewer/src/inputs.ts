@@ -74,6 +74,8 @@ const kLosses: Record<string, string> = {
   structure_friction: "friction, floes against structure",
   sheet_contact: "crushing and impact, floes against sheet",
   sheet_friction: "friction, floes against sheet",
+  bed_contact: "crushing and impact, floes against bed",
+  bed_friction: "friction, floes against bed",
   floe_contact: "crushing and impact between floes",
   floe_friction: "friction between floes",
   drag: "form and rotational drag of the water",

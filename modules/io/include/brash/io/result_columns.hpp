@@ -34,7 +34,7 @@ struct Columns<model::LoadRow> {
   }
 
   /// A history has such a column only if some row of it has a value there: the structure turns, is a body or a hull
-  /// with regions.
+  /// with regions, or ice has come to the bed.
   static bool is_optional(std::string_view name) {
     bool found = false;
     visit_optional([&](const std::string& optional, const auto&...) { found = found || name == optional; });
@@ -63,6 +63,17 @@ struct Columns<model::LoadRow> {
         cause + "Mz", "N m", meaning + ", moment about z", [w](auto& row) -> auto& { return (row.*w).moment.z; });
   }
 
+  /// The column of a loss, for EnergyLosses::visit().
+  static auto column_of_loss(auto& visit) {
+    return [&visit](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
+      visit(
+          std::string("loss_") + cause, "J",
+          std::string("energy lost since the start: ") + meaning, [loss](auto& row) -> auto& {
+            return row.losses.*loss;
+          });
+    };
+  }
+
   template <typename Visit>
   static void visit_energy(Visit&& visit) {
     visit(
@@ -72,13 +83,7 @@ struct Columns<model::LoadRow> {
         "removed_energy", "J",
         "energy of deleted floes, of brash, of floes that fall asleep, of ice that leaves a sheet",
         [](auto& row) -> auto& { return row.removed_energy; });
-    model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
-      visit(
-          std::string("loss_") + cause, "J",
-          std::string("energy lost since the start: ") + meaning, [loss](auto& row) -> auto& {
-            return row.losses.*loss;
-          });
-    });
+    model::EnergyLosses::visit_without_bed(column_of_loss(visit));
     visit(
         "energy_error", "J", "work that no other energy accounts for",
         [](auto& row) -> auto& { return row.energy_error; });
@@ -137,6 +142,8 @@ struct Columns<model::LoadRow> {
       visit_force("_" + region + "_crushing", "load of the sheet's edge on " + meaning, i, &model::RegionLoad::crushing,
                   visit);
     });
+    visit_wrench("bed_", "load of the ice on the bed of the water", &model::LoadRow::bed, visit);
+    model::EnergyLosses::visit_of_bed(column_of_loss(visit));
   }
 
   template <typename Visit>

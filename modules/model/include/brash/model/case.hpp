@@ -50,7 +50,9 @@ struct IceSection {
 /// [water]
 struct WaterSection {
   double density = 1025.0;
-  Vec2 current{};  ///< `current = [0, 0]`
+  Vec2 current{};                 ///< `current = [0, 0]`
+  std::optional<double> depth{};  ///< of a flat bed below the surface [m]; absent: deep water
+  double bed_friction = 0.3;      ///< of ice on the bed [-]
 
   friend bool operator==(const WaterSection&, const WaterSection&) = default;
 };
@@ -224,6 +226,12 @@ struct Case {
 inline Vec2 current_past_ice(const Case& c) {
   const bool stays = c.structure.frame == MotionFrame::kIceDriftsThroughStillWater;
   return c.water.current + (stays ? Vec2{speed(c.structure.motion), 0.0} : Vec2{});
+}
+
+/// Velocity of the bed of the water past the ice at rest [m/s]: the bed rests with a structure past which ice drifts.
+inline Vec2 bed_past_ice(const Case& c) {
+  const bool moves = c.structure.frame != MotionFrame::kStructureMoves;
+  return moves ? Vec2{speed(c.structure.motion), 0.0} : Vec2{};
 }
 
 }  // namespace brash::model

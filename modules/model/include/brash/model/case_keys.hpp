@@ -140,6 +140,8 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("ice.variation", "correlation_length", c.ice.variation.correlation_length);
   visit("water", "density", c.water.density);
   visit("water", "current", c.water.current);
+  visit("water", "depth", c.water.depth);
+  visit("water", "bed_friction", c.water.bed_friction);
   visit("wind", "velocity", c.wind.velocity);
   visit("wind", "density", c.wind.density);
   visit("wind", "skin_friction", c.wind.skin_friction);

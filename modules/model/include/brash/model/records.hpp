@@ -23,10 +23,17 @@ struct EnergyLosses {
   double floe_friction = 0.0;
   double drag = 0.0;           ///< form and rotational drag; negative where a current pushes
   double skin_friction = 0.0;  ///< of the water; negative where a current pulls
+  double bed_contact = 0.0;    ///< normal forces between floes and the bed of the water
+  double bed_friction = 0.0;   ///< likewise slip; negative where a bed that moves through the ice carries floes
 
   /// Calls `visit(name, meaning, member)` for each: one list serves files, checkpoints and sums.
   template <typename Visit>
   static void visit(Visit&& visit) {
+    visit_without_bed(visit);
+    visit_of_bed(visit);
+  }
+  template <typename Visit>
+  static void visit_without_bed(Visit&& visit) {
     visit("edge", "crushing and its friction at the sheet's edge", &EnergyLosses::edge);
     visit("bending", "bending of the sheet's edge", &EnergyLosses::bending);
     visit("structure_contact", "crushing and impact between floes and structure", &EnergyLosses::structure_contact);
@@ -37,6 +44,12 @@ struct EnergyLosses {
     visit("floe_friction", "friction between floes", &EnergyLosses::floe_friction);
     visit("drag", "form and rotational drag of the water", &EnergyLosses::drag);
     visit("skin_friction", "skin friction of the water", &EnergyLosses::skin_friction);
+  }
+  /// Histories and summaries have these only if there is a bed.
+  template <typename Visit>
+  static void visit_of_bed(Visit&& visit) {
+    visit("bed_contact", "crushing and impact between floes and bed", &EnergyLosses::bed_contact);
+    visit("bed_friction", "friction between floes and bed", &EnergyLosses::bed_friction);
   }
   double total() const {
     double sum = 0.0;
@@ -124,6 +137,7 @@ struct LoadRow {
   Wrench crushing;                ///< crushing at the sheet's edge
   Wrench floe_normal;             ///< normal contact forces of floes
   Wrench floe_friction;           ///< friction of floes
+  Wrench bed;                     ///< load of the ice on the bed of the water, in the same axes
   double kinetic_energy = 0.0;    ///< of all floes [J]
   double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
   double work = 0.0;              ///< done by the structure on the ice since the start [J]
