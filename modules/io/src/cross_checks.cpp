@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "brash/model/case_keys.hpp"
 #include "checks.hpp"
 
 namespace brash::io {
@@ -36,6 +37,22 @@ void check_water(const model::Case& c, Checks& checks) {
   checks.require(!plate || c.contact.engine == model::ContactEngine::kBrash, {"hydrodynamics", "added_mass_law"},
                  {"contact", "engine"}, "Bullet's bodies have the same mass in every direction",
                  "plate with contact.engine = \"brash\"", "take this engine, or added_mass_law = \"isotropic\"");
+}
+
+/// Ice afloat keeps clear of the bed, and a path has no one velocity that the bed could share.
+void check_bed(const model::Case& c, Checks& checks) {
+  if (!c.water.depth) return;
+  const Key depth{"water", "depth"};
+  const double draught = c.ice.thickness * c.ice.density / c.water.density;
+  checks.require(*c.water.depth > draught, depth, {"ice", "thickness"}, "the ice does not float: it reaches the bed",
+                 fmt::format("more than the ice's draught, {:.6g} m", draught), "deepen the water or thin the ice");
+  checks.require(c.contact.engine == model::ContactEngine::kBrash, depth, {"contact", "engine"},
+                 "Bullet's contacts know no bed", "absent with contact.engine = \"bullet\"",
+                 "take engine = \"brash\", or remove water.depth");
+  checks.require(!model::has_path(c.structure) || c.structure.frame == model::MotionFrame::kStructureMoves,
+                 {"structure.motion", "frame"}, {"structure.motion", "path"},
+                 "a path has no one speed at which the bed could drift past the ice",
+                 "structure-moves with a path and water.depth", "take structure-moves, or remove water.depth");
 }
 
 void check_rest(const model::Case& c, Checks& checks) {
@@ -98,6 +115,7 @@ std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& 
   check_hull(resolved, checks);
   check_contact(resolved, checks);
   check_water(resolved, checks);
+  check_bed(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
 }

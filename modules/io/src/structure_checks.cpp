@@ -141,6 +141,18 @@ bool check_heights(const structure::Hull& hull, const HeightKeys& keys, double d
   return draught < under_water && freeboard < most.z;
 }
 
+/// A structure afloat keeps clear of the bed. Any other may stand in it.
+void check_under_keel(const model::Case& c, const structure::Hull& hull, Checks& checks) {
+  const bool floats = std::holds_alternative<model::Free>(c.structure.motion) ||
+                      std::holds_alternative<model::Moored>(c.structure.motion);
+  if (!floats || !c.water.depth) return;
+  const double draught = -hull.bounds().first.z;
+  checks.require(draught < *c.water.depth, {"water", "depth"}, height_keys(c.structure.shape).keel,
+                 "the structure does not float: it reaches the bed",
+                 fmt::format("more than its draught, {:.6g} m", draught),
+                 "deepen the water, lower the draught, or take structure.motion.kind = \"towed\"");
+}
+
 /// The key that makes a shape of this size in plan thin.
 Key thin_key(const model::Shape& shape, Vec3 size) {
   if (std::holds_alternative<model::Mesh>(shape)) return {"structure", "file"};
@@ -304,6 +316,7 @@ void check_structure(const model::Case& c, Checks& checks) {
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const double freeboard = c.ice.thickness - draught;
   if (!check_heights(*hull, height_keys(c.structure.shape), draught, freeboard, checks)) return;
+  check_under_keel(c, *hull, checks);
 
   const auto meets = [&](const Pose& pose, Vec2 course) {
     return structure::foremost(*hull, pose, -draught, freeboard, course);

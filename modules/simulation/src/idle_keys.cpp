@@ -67,6 +67,8 @@ void look_at_water_and_wind(const model::Case& c, const model::Case& usual, Idle
                "hydrodynamics.shading = true and drag = \"surface\"");
   keys.look_at("hydrodynamics.form_drag_along", h.form_drag_along, usual.hydrodynamics.form_drag_along,
                h.form_drag != 0.0, "hydrodynamics.form_drag");
+  keys.look_at("water.bed_friction", c.water.bed_friction, usual.water.bed_friction, c.water.depth.has_value(),
+               "water.depth");
   keys.look_at("wind.density", c.wind.density, usual.wind.density, blows, "wind.velocity");
   keys.look_at("wind.skin_friction", c.wind.skin_friction, usual.wind.skin_friction, blows, "wind.velocity");
 }

@@ -208,6 +208,7 @@ BOOST_AUTO_TEST_CASE(a_key_that_needs_another_is_warned_of_without_it) {
       {"field.origin", "[1,2]", {"field.shore=tests/experiments/shore.wkt"}},
       {"hydrodynamics.rotational_drag", "0.8", {"hydrodynamics.drag=paper", "algorithm.preset=paper"}},
       {"hydrodynamics.shading_gap", "0.4", {"hydrodynamics.shading=true"}},
+      {"water.bed_friction", "0.5", {"water.depth=5"}},
       {"wind.density", "1.2", {"wind.velocity=[5,0]"}},
       {"wind.skin_friction", "0.002", {"wind.velocity=[5,0]"}},
       {"failure.max_substeps", "4", {"failure.model=superposition"}},
