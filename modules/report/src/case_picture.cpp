@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -83,6 +84,13 @@ class Panel {
 /// The hull on its side: its z lies along the world's y and its y points down, so that a level section is one along it.
 Pose on_its_side() { return {{}, {std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0}}; }
 
+/// Height of the bed of the water, if a picture of a hull that reaches down to `keel` has room for it: its height below
+/// the keel at most [m].
+std::optional<double> bed_in_sight(const model::Case& c, double keel, double height) {
+  if (!c.water.depth || *c.water.depth > height - keel) return std::nullopt;
+  return -*c.water.depth;
+}
+
 /// The section of the hull in the plane y, as x and z.
 std::vector<Outline> section_along(const structure::Hull& hull, double y) {
   return hull.footprint(on_its_side(), -y, -y).leading;
@@ -91,8 +99,12 @@ std::vector<Outline> section_along(const structure::Hull& hull, double y) {
 Panel side_view(const model::Case& c, const structure::Hull& hull, double top) {
   const auto [least, most] = hull.bounds();
   const double border = 0.1 * (most.x - least.x);
-  Panel panel(top, {least.x - border, least.z - 0.2 * border}, {most.x + border, most.z + 0.2 * border},
-              "Sections along the hull, the water's surface and the ice");
+  const std::optional<double> bed = bed_in_sight(c, least.z, most.z - least.z);
+  const double bottom = std::min(least.z, bed.value_or(0.0)) - 0.2 * border;
+  Panel panel(top, {least.x - border, bottom}, {most.x + border, most.z + 0.2 * border},
+              bed ? "Sections along the hull, the water's surface, its bed and the ice"
+                  : "Sections along the hull, the water's surface and the ice");
+  if (bed) panel.box({least.x - border, bottom}, {most.x + border, *bed}, "land");
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   panel.box({most.x - 0.5 * border, -draught}, {most.x + border, c.ice.thickness - draught}, "ice");
   for (int i = -kSections; i <= kSections; ++i) {

@@ -147,6 +147,12 @@ class Mesh(unittest.TestCase):
         # The middle section, the waterline and the structure at its start; the ice from the side and from above.
         self.assertEqual([classes.count(one) for one in ("hull", "ice", "ice sheet", "end")], [3, 1, 1, 1])
         self.assertEqual(classes.count("thin"), 16)
+        self.assertEqual(classes.count("land"), 0)
+        shallow = brash("check", self.case, "--set", "water.depth=4 m", "--picture", self.path / "shallow.svg")
+        self.assertEqual(shallow.returncode, 0, shallow.stderr)
+        drawing = xml.etree.ElementTree.parse(self.path / "shallow.svg").getroot()
+        classes = [path.get("class") for path in drawing.iter("{http://www.w3.org/2000/svg}path")]
+        self.assertEqual(classes.count("land"), 1)  # the bed
         self.assertEqual(brash("check", self.case, "--picture", self.case).returncode, 2)
 
     def refusal(self, *options):

@@ -78,7 +78,7 @@ export class ReplayScene {
     const h = run.input("ice", "thickness");
     this.bottom = (-h * run.input("ice", "density")) / run.input("water", "density");
     this.top = h + this.bottom;
-    this.water = new Water(this.size);
+    this.water = new Water(this.size, run.input("water", "depth"));
 
     const floes = (this.materials.floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true }));
     const edges = (this.materials.edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The water: a tinted surface with lines on it, shadows, and colours that fade with depth.
+// The water: a tinted surface with lines on it, shadows, colours that fade with depth, and a bed if it is shallow.
 import {
   BufferGeometry, type Color, DoubleSide, Group, LineBasicMaterial, LineSegments, type Material, Mesh, MeshBasicMaterial,
   PlaneGeometry, ShadowMaterial, Vector3,
@@ -27,12 +27,18 @@ export class Water {
   private readonly lines: LineSegments;
   private readonly lineMaterial = new LineBasicMaterial({ transparent: true, opacity: 0.5, depthWrite: false });
 
-  /** @param size of the scene [m]. */
-  constructor(private readonly size: number) {
+  /**
+   * @param size  of the scene [m].
+   * @param depth  of the bed [m]; NaN of deep water.
+   */
+  constructor(
+    private readonly size: number,
+    private readonly depth: number,
+  ) {
     this.spacing = roundLength(0.8 * size);
     const extent = 180 * size;
     const floor = new Mesh(new PlaneGeometry(extent, extent), this.deep);
-    floor.position.z = -kFloor * size;
+    floor.position.z = -(depth > 0 ? depth : kFloor * size);
     const top = new Mesh(new PlaneGeometry(extent, extent), this.surface);
     const shaded = new Mesh(new PlaneGeometry(20 * size, 20 * size), this.shadow);
     shaded.receiveShadow = true;
@@ -45,7 +51,7 @@ export class Water {
 
   setTheme(palette: Record<string, Color>): void {
     this.surface.color = palette.water;
-    this.deep.color = palette.deep;
+    this.deep.color = this.depth > 0 ? palette.land : palette.deep;
     this.lineMaterial.color = palette.ripple;
     this.fade.deep.value = palette.deep;
   }
