@@ -17,7 +17,7 @@ namespace {
 
 model::Case read(const std::vector<std::string>& settings) { return parse_case(kLeastCase, "bed.toml", settings); }
 
-/// The message has what was found, what is allowed and a remedy.
+/// The message names the value, the allowed values and a remedy.
 void refuses(const std::vector<std::string>& settings, const std::string& found, const std::string& allowed,
              const std::string& remedy) {
   std::string message;

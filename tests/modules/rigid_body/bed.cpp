@@ -17,7 +17,7 @@ constexpr double kThick = 0.5;
 constexpr double kFriction = 0.4;
 constexpr double kPressure = 0.5e6;
 constexpr double kMass = kDensity * 2.0 * 2.0 * kThick;
-/// Weight less the lift of what is under water [N].
+/// Weight less the lift of the part under water [N].
 constexpr double kNet = 0.3 * kMass * kGravity;
 /// The solver ends when it changes no velocity by 1e-8 m/s: 2e-3 N on a block.
 const auto kSolved = boost::test_tools::tolerance(1e-6);
@@ -29,7 +29,7 @@ WorldSettings over_bed(Vec2 velocity = {}) {
           .iterations = 200};
 }
 
-/// A block of 2 m by 2 m, `layer` blocks above the bed, pressed a little into what lies below it.
+/// A block of 2 m by 2 m, `layer` blocks above the bed, pressed a little into the ice or the bed below.
 BodyId add_block(World& world, double x, int layer = 0) {
   const BodyId block = add_floe(world, rectangle({x - 1, -1}, {x + 1, 1}), kThick);
   Pose pose = world.pose(block);

@@ -48,7 +48,7 @@ struct Shallows : Pool {
     return block;
   }
 
-  /// Weight less the lift of what is under water, of that block [N].
+  /// Weight of that block less the lift of its part under water [N].
   double net_weight() const {
     return 4.0 * kGravity *
            (resolved.ice.density * resolved.ice.thickness - resolved.water.density * (*resolved.water.depth + 1e-6));

@@ -24,7 +24,7 @@ struct EnergyLosses {
   double drag = 0.0;           ///< form and rotational drag; negative where a current pushes
   double skin_friction = 0.0;  ///< of the water; negative where a current pulls
   double bed_contact = 0.0;    ///< normal forces between floes and the bed of the water
-  double bed_friction = 0.0;   ///< likewise slip; negative where a bed that moves through the ice carries floes
+  double bed_friction = 0.0;   ///< slip on the bed; negative where a bed that moves carries floes
 
   /// Calls `visit(name, meaning, member)` for each: one list serves files, checkpoints and sums.
   template <typename Visit>
