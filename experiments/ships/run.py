@@ -29,7 +29,6 @@ import regressions
 import study
 
 SPEED, THICKNESS = "structure.speed", "ice.thickness"
-REGIONS = ["bow", "shoulders", "sides", "bottom", "stern"]
 VISCOSITY = 1.83e-6  # m2/s, sea water at 0 C (ITTC 7.5-02-01-03)
 BOW_LENGTH = 34.6  # m, of the icebreaker's waterline: icebreaker.toml
 
@@ -103,18 +102,17 @@ def exponent_lines(rows, fewest=3, slowest=0.5):
 
 
 def speeds_table(rows):
-    lines = ["| thickness [m] | speed [m/s] | runs | resistance [kN] | deviation [kN] | bow, shoulders, sides, bottom, stern [%] | "
-             "crushing of the edge [%] | Lindqvist [kN] | Riska [kN] | Jeong [kN] | friction of open water [kN] |",
-             "|---|---|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| thickness [m] | speed [m/s] | runs | resistance [kN] | bow [%] | crushing of the edge [%] | "
+             "Lindqvist [kN] | Riska [kN] | Jeong [kN] |",
+             "|---|---|---|---|---|---|---|---|---|"]
     for thickness, speed in sorted({(row[THICKNESS], row[SPEED]) for row in rows}):
         of = [row for row in rows if (row[THICKNESS], row[SPEED]) == (thickness, speed)]
         mean = {key: np.mean([row[key] for row in of]) for key in of[0] if isinstance(of[0][key], float)}
-        shares = ", ".join(f"{100 * mean[f'mean_by_region.{name}.total.Fx'] / mean['horizontal.mean']:.0f}".replace("-0", "0")
-                           for name in REGIONS)
+        bow = 100 * mean["mean_by_region.bow.total.Fx"] / mean["horizontal.mean"]
         crushing = 100 * mean["horizontal.mean_by_cause.crushing"] / mean["horizontal.mean"]
         lines.append(f"| {thickness:g} | {speed:g} | {len(of)} | {with_interval([row['horizontal.mean'] for row in of])} | "
-                     f"{mean['horizontal.standard_deviation'] / 1e3:.0f} | {shares} | {crushing:.0f} | "
-                     + " | ".join(f"{mean[name] / 1e3:.0f}" for name in ("lindqvist", "riska", "jeong", "open_water")) + " |")
+                     f"{bow:.0f} | {crushing:.0f} | "
+                     + " | ".join(f"{mean[name] / 1e3:.0f}" for name in ("lindqvist", "riska", "jeong")) + " |")
     exponents = exponent_lines(rows)
     return "\n".join(lines + [""] * bool(exponents) + exponents) + "\n"
 
