@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors of b, c and theta against the noise of the edge; the table of docs/theory/fracture-of-the-edge.md.
-// `--log_level=message` prints it.
+// Errors of b, c and theta against the noise of the edge. `--log_level=message` prints the table that
+// trapezoid_noise.csv keeps.
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>

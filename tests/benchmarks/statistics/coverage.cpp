@@ -3,7 +3,7 @@
 //
 //   bench_coverage [SHARE [STUDY]]
 //
-// prints a table; docs/theory/statistics.md shows it. SHARE of the full number of records, 1 by default. STUDY is one
+// prints a table; coverage.csv keeps it. SHARE of the full number of records, 1 by default. STUDY is one
 // of the names below. The program fails if an interval without a warning holds the truth in fewer than 90 %.
 #include <fmt/format.h>
 

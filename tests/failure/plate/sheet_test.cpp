@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(a_force_at_the_top_of_the_ice_delays_the_break_of_the_strip
   BOOST_TEST(std::abs(worst(at_top, arm(at_top)).place - 1.20) < 0.03);
 }
 
-// Kelvin functions, docs/theory/fracture-of-the-edge.md: the disc of radius 0.2 (M0 with the sign of P, which stretches
+// Kelvin functions, as fast_mesh.csv has: the disc of radius 0.2 (M0 with the sign of P, which stretches
 // the far surface under it). Shear adds 2 % of M0 at most.
 BOOST_AUTO_TEST_CASE(a_floe_under_the_sheet_far_from_the_edge_is_a_load_on_the_infinite_plate) {
   auto loaded = sheet(kStraight, {});
