@@ -89,7 +89,9 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
   const double along = std::cos(heading), across = std::sin(heading);
   const double slip = std::hypot(along * cos_a, across);
   constexpr double kNoSlip = 1e-12;  // of the structure's speed; below it the direction of slip is round-off
-  const double mu = slip > kNoSlip ? friction / slip : 0.0;
+  const double into = along * sin_a;
+  double mu = slip > kNoSlip ? friction / slip : 0.0;
+  if (into > 0.0) mu = std::min(mu, 1.0 / into);  // the ice sticks
   const double N = sin_a + mu * along * cos_a * cos_a;
   const double P = cos_a - mu * along * sin_a * cos_a;
   return {.horizontal = N, .mu1 = P / N, .mu2 = mu * across / N};

@@ -61,12 +61,15 @@ std::string loads(const simulation::RunSummary& s) {
 std::string regions(const simulation::RunSummary& s) {
   if (s.regions.empty()) return "";
   const TableUnit unit = load_unit(s);
+  const bool are_legs = s.regions.front().region.starts_with("leg_");
   std::string text = fmt::format(
-      "mean load by region of the structure [{}]\n                 horizontal  vertical   crushing, horizontal\n",
-      unit.name);
-  for (const auto& [region, load] : s.regions)
-    text += fmt::format("  {:<13}{:>12.1f}{:>10.1f}{:>12.1f}\n", region, load.total.x / unit.one,
-                        load.total.z / unit.one, load.crushing.x / unit.one);
+      "mean load by region of the structure [{}]\n                 horizontal  vertical   crushing, horizontal{}\n",
+      unit.name, are_legs ? "" : "   under floes");
+  for (const auto& [region, load] : s.regions) {
+    text += fmt::format("  {:<13}{:>12.1f}{:>10.1f}{:>12.1f}", region, load.total.x / unit.one, load.total.z / unit.one,
+                        load.crushing.x / unit.one);
+    text += are_legs ? "\n" : fmt::format("{:>20.0f} %\n", 100.0 * load.covered);
+  }
   return text;
 }
 

@@ -14,8 +14,8 @@ namespace {
 /// (a^2 + s); by the squares a^2 + lambda [1/m3].
 Vec2 alpha_and_beta(Vec3 s) { return {2.0 / 3.0 * elliptic_rd(s.y, s.z, s.x), 2.0 / 3.0 * elliptic_rd(s.z, s.x, s.y)}; }
 
-/// The confocal ellipsoid through a point outside: the largest root of sum x^2 / (a^2 + lambda) = 1 [m2]; 0 inside. The
-/// sum is convex, so Newton's steps from below rise to the root.
+/// The confocal ellipsoid through a point outside or on the surface: the largest root of sum x^2 / (a^2 + lambda) = 1
+/// [m2]. The sum is convex, so Newton's steps from below rise to the root.
 double confocal(Vec3 point, Vec3 squares) {
   const Vec3 p{point.x * point.x, point.y * point.y, point.z * point.z};
   double lambda = std::max(0.0, p.x + p.y + p.z - std::max({squares.x, squares.y, squares.z}));
@@ -40,9 +40,11 @@ StructureFlow::StructureFlow(Vec3 semi_axes)
 }
 
 Vec3 StructureFlow::at(Vec3 point, Vec2 velocity) const {
+  const Vec3 p{point.x * point.x, point.y * point.y, point.z * point.z};
+  const double inside = std::sqrt(p.x / squares_.x + p.y / squares_.y + p.z / squares_.z);  // 1 on the surface
+  if (inside == 0.0) return {velocity.x, velocity.y, 0.0};
+  if (inside < 1.0) point = point / inside;
   const double lambda = confocal(point, squares_);
-  if (!(lambda > 0.0)) return {velocity.x, velocity.y, 0.0};
-
   const Vec3 s = squares_ + Vec3{lambda, lambda, lambda};
   const Vec3 normal{point.x / s.x, point.y / s.y, point.z / s.z};  // half the gradient of that ellipsoid's equation
   const Vec3 slope = 2.0 / dot(normal, normal) * normal;           // gradient of lambda

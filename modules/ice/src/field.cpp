@@ -28,8 +28,8 @@ double to_end_of_plane(Vec2 from, Vec2 towards) {
   return std::min(along(from.x, towards.x), along(from.y, towards.y));
 }
 
-LaidIce laid(const model::FieldSection& section, const failure::IceProperties& ice) {
-  return section.kind == model::FieldKind::kLevelIce ? lay_ice(section, ice) : LaidIce{};
+LaidIce laid(const model::FieldSection& section, const failure::IceProperties& ice, const Variation& variation) {
+  return section.kind == model::FieldKind::kLevelIce ? lay_ice(section, ice, variation) : LaidIce{};
 }
 
 /// A plate for each sheet, and an empty one where there is none.
@@ -81,7 +81,7 @@ struct Accounts {
 
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation)
     : section_(section), variation_(std::move(variation)) {
-  LaidIce start = laid(section, ice);
+  LaidIce start = laid(section, ice, variation_);
   land_ = std::move(start.land);
   level_ice_ = plates_of(std::move(start.sheets), section.border, ice);
   for (GivenFloe& floe : start.floes) {
@@ -96,7 +96,7 @@ Field::Field(const model::FieldSection& section, const failure::IceProperties& i
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
              const model::Checkpoint& checkpoint)
     : section_(section), variation_(std::move(variation)) {
-  LaidIce start = laid(section, ice);
+  LaidIce start = laid(section, ice, variation_);
   land_ = std::move(start.land);
   level_ice_ = plates_of(std::move(start.sheets), section.border, ice);
   // Sheets that drift have split off others; some are no more, and have no outline.

@@ -27,9 +27,10 @@ constexpr double kTouch = 1e-6;
 /// A region that holds all of the ice reaches this far beyond it [m].
 constexpr double kBeyond = 1.0;
 
-Polygon rectangle(double length, double width) {
-  const std::array<Vec2, 4> corners{Vec2{0.0, -0.5 * width}, Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width},
-                                    Vec2{0.0, 0.5 * width}};
+Polygon rectangle(double length, double width, const Variation& variation) {
+  std::vector<Vec2> corners = variation.first_edge(width);
+  std::ranges::rotate(corners, corners.end() - 1);
+  corners.insert(corners.begin() + 1, {Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width}});
   return {geometry::ring(corners), {}};
 }
 
@@ -54,9 +55,9 @@ std::vector<IceSheet> sheets_of(std::span<const Polygon> polygons) {
 }
 
 /// The outlines of the case, and the floes that lie in their openings.
-GivenLevelIce given_ice(const model::FieldSection& field) {
+GivenLevelIce given_ice(const model::FieldSection& field, const Variation& variation) {
   if (!field.file.empty()) return read_level_ice(field.file, field);
-  return {{rectangle(field.length, field.width)}, {}};
+  return {{rectangle(field.length, field.width, variation)}, {}};
 }
 
 /// Whether an edge of a part lies along a side or the far end of the rectangle.
@@ -263,8 +264,8 @@ Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon
   return parted;
 }
 
-LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice) {
-  GivenLevelIce given = given_ice(field);
+LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice, const Variation& variation) {
+  GivenLevelIce given = given_ice(field, variation);
   if (!model::has_ice_files(field)) return {std::move(given.sheets), {}, {}, {}};
   LaidIce laid;
   std::vector<Polygon> parts = std::move(given.sheets);
@@ -288,7 +289,7 @@ LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& 
 }
 
 std::vector<IdleFile> idle_files(const model::FieldSection& field, const failure::IceProperties& ice) {
-  return model::has_ice_files(field) ? lay_ice(field, ice).idle : std::vector<IdleFile>{};
+  return model::has_ice_files(field) ? lay_ice(field, ice, {}).idle : std::vector<IdleFile>{};
 }
 
 }  // namespace brash::ice

@@ -8,6 +8,7 @@
 #include "brash/geometry/lines.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/idle_files.hpp"
+#include "brash/ice/variation.hpp"
 
 namespace brash::ice {
 
@@ -23,14 +24,15 @@ struct LaidIce {
 /// rectangle, or it touches `land`.
 bool is_held(const geometry::Polygon& part, const model::FieldSection& field, std::span<const geometry::Polygon> land);
 
-/// Lays the level ice of `field`: the rectangle or the outlines of its file, less its openings, parted by its cracks.
+/// Lays the level ice of `field`: the rectangle with the first edge of `variation` or the outlines of its file, less
+/// its openings, parted by its cracks.
 ///
 /// With fixed borders a part is a sheet if land holds it, as is_held() has it. With free borders the largest part is a
 /// sheet, and so is each part that is broad enough. Every other part is a floe.
 /// @param ice  whose characteristic length, with `smallest_plate`, says which parts are broad enough.
 /// @throws InputError naming file and place: a faulty file, ice out of the field, a line that ends inside the ice, or
 ///         ice that nothing holds.
-LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice);
+LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice, const Variation& variation);
 
 /// `ice` without the inside of `openings`, which may overlap; their holes keep the ice. Exact but for the rounding of
 /// crossings to the grid. docs/theory/ice.md, (O1).

@@ -16,6 +16,9 @@ constexpr int kRings = 16;
 constexpr int kAngles = 16;
 /// Where the case gives no correlation length, in thicknesses.
 constexpr double kUsualLength = 10.0;
+/// Corners of the first edge in a correlation length. Its chords miss the edge by less than a hundredth of its
+/// deviation.
+constexpr double kCornersInLength = 8.0;
 /// A triangle with sides beyond a correlation length is divided so many times at most. Its 12 288 places are then
 /// nearly independent, and the mean errs by less than a hundredth of the deviation of the field.
 constexpr int kMostDivisions = 6;
@@ -63,6 +66,11 @@ double correlation_length(const model::IceSection& ice) {
   return length > 0.0 ? length : kUsualLength * ice.thickness;
 }
 
+double edge_correlation_length(const model::Case& c) {
+  const double length = c.field.edge_correlation_length;
+  return length > 0.0 ? length : kUsualLength * c.ice.thickness;
+}
+
 double Variation::LogNormal::at(Vec2 place) const {
   return std::exp(deviation * field.at(place) - 0.5 * deviation * deviation);
 }
@@ -78,7 +86,22 @@ std::optional<Variation::LogNormal> Variation::field(const model::Case& resolved
 Variation::Variation(const model::Case& resolved)
     : length_(correlation_length(resolved.ice)),
       thickness_(field(resolved, resolved.ice.variation.thickness, "thickness")),
-      flexural_strength_(field(resolved, resolved.ice.variation.flexural_strength, "flexural_strength")) {}
+      flexural_strength_(field(resolved, resolved.ice.variation.flexural_strength, "flexural_strength")) {
+  if (resolved.field.edge_roughness == 0.0) return;
+  const double length = edge_correlation_length(resolved);
+  edge_ = RoughEdge{GaussianField(length, {resolved.random.seed, resolved.random.replicate, "first_edge"}),
+                    resolved.field.edge_roughness, length / kCornersInLength};
+}
+
+std::vector<Vec2> Variation::first_edge(double width) const {
+  const int n = edge_ ? std::max(1, static_cast<int>(std::ceil(width / edge_->spacing))) : 1;
+  std::vector<Vec2> corners;
+  for (int i = 0; i <= n; ++i) {
+    const double y = width * (0.5 - static_cast<double>(i) / n);
+    corners.push_back({edge_ ? edge_->deviation * edge_->field.at({0.0, y}) : 0.0, y});
+  }
+  return corners;
+}
 
 failure::IceProperties Variation::at(const failure::IceProperties& ice, Vec2 place) const {
   failure::IceProperties here = ice;

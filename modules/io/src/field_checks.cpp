@@ -22,6 +22,22 @@ void check_extent(const model::Case& c, Checks& checks) {
                  "free with contact.engine = \"brash\"", "take this engine, or border = \"fixed\"");
 }
 
+/// The first edge is drawn for the rectangle alone, and in a number of corners that can be cut.
+void check_edge(const model::Case& c, Checks& checks) {
+  const double roughness = c.field.edge_roughness, length = c.field.edge_correlation_length;
+  if (roughness == 0.0) return;
+  checks.require(c.field.file.empty(), {"field", "edge_roughness"}, {"field", "file"},
+                 "stands beside field.file, whose outlines have their own edge", "one of the two",
+                 "remove one of the two, or draw the edge in the file");
+  checks.require(roughness <= 0.1 * c.field.length, {"field", "edge_roughness"}, {"field", "length"},
+                 "is more than a tenth of the sheet's length", fmt::format("at most {} m", 0.1 * c.field.length),
+                 "lower it, or lengthen the sheet");
+  const double least = 1e-3 * c.field.width, used = length > 0.0 ? length : 10.0 * c.ice.thickness;
+  checks.require(used >= least, {"field", "edge_correlation_length"}, {"field", "width"},
+                 fmt::format("{} m are less than a thousandth of the sheet's width", used),
+                 fmt::format("at least {} m", least), "raise it, or narrow the sheet");
+}
+
 /// Each law of sizes needs its own keys, and floes that fit in the field.
 void check_sizes(const model::Case& c, Checks& checks) {
   const model::FloeSizes& size = c.field.floes.size;
@@ -93,6 +109,7 @@ void check_initial_crack(const model::Case& c, Checks& checks) {
 void check_field(const model::Case& c, FieldFiles files, Checks& checks) {
   check_extent(c, checks);
   check_initial_crack(c, checks);
+  check_edge(c, checks);
   if (files == FieldFiles::kMayBeGone) return;
   check_files(c, checks);
   check_floes(c, checks);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "brash/core/constants.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/inner_radius.hpp"
 #include "brash/structure/mesh_file.hpp"
@@ -208,21 +209,20 @@ std::string remedy_of_vertical_front(const model::Shape& shape) {
   return fmt::format("{}, for {}; or, if it is so, {}", report->bearing.remedy, report->bearing.doubt, whole);
 }
 
-/// Ice that slides on the slope ahead, or a vertical front, which crushes ice and breaks none.
+/// A front that is vertical, or so steep that the ice sticks to it, crushes ice and breaks none.
 void check_front(const model::Case& c, double slope, Checks& checks) {
-  if (slope < structure::kSteepestSlope) {
-    checks.require(std::tan(slope) * c.ice.friction_structure < 1.0, {"ice", "friction_structure"},
-                   {"structure", "angle"}, "the ice locks: friction holds it on the slope",
-                   fmt::format("less than 1 / tan(structure.angle) = {:.6g}", 1.0 / std::tan(slope)),
-                   "lower ice.friction_structure or structure.angle");
-    return;
-  }
-  checks.require(c.contact.area == model::ContactArea::kSurface, {"contact", "area"}, {"structure", "angle"},
-                 "the structure's front is vertical, and its plan has no area", "surface",
+  const bool is_vertical = slope >= structure::kSteepestSlope;
+  if (!is_vertical && std::tan(slope) * c.ice.friction_structure < 1.0) return;
+  checks.require(!is_vertical || c.contact.area == model::ContactArea::kSurface, {"contact", "area"},
+                 {"structure", "angle"}, "the structure's front is vertical, and its plan has no area", "surface",
                  "write surface, which takes the area of the face itself");
   if (c.field.kind != model::FieldKind::kLevelIce) return;
   checks.require(!c.field.initial_crack || c.field.initial_crack_radius > 0.0, {"field", "initial_crack"},
-                 {"structure", "kind"}, "the structure's front is vertical and bends no ice",
+                 {"structure", "kind"},
+                 is_vertical ? "the structure's front is vertical and bends no ice"
+                             : fmt::format("the ice sticks to the structure's front, whose slope of {:.4g} degrees is "
+                                           "more than {:.4g} degrees, and is not bent",
+                                           degrees(slope), degrees(std::atan(1.0 / c.ice.friction_structure))),
                  "false, or a field.initial_crack_radius", remedy_of_vertical_front(c.structure.shape));
 }
 

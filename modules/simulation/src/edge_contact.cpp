@@ -76,7 +76,9 @@ Crushing crushing(const EdgeModel& model, const structure::State& state, const g
     if (into_ice <= 0.0) continue;  // slides past or leaves
     const double area = thicker * (projected ? patch.plan_area : patch.area);
     const Vec3 slip = velocity - into_ice * patch.normal;
-    const Vec3 friction = norm(slip) > 0.0 ? c.ice.friction_structure * normalized(slip) : Vec3{};
+    // At most what holds the ice to the surface: the force then lies along the velocity.
+    const double coefficient = std::min(c.ice.friction_structure, norm(slip) / into_ice);
+    const Vec3 friction = norm(slip) > 0.0 ? coefficient * normalized(slip) : Vec3{};
     const Vec3 force = failure::crushing_force(model.ice, area) * (patch.normal + friction);
     const double across = cross(ahead, plan(force));
     (across > 0.0 ? sum.left : sum.right) += std::abs(across);
@@ -124,7 +126,8 @@ void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& 
   contact.area = area;
   contact.spread = std::min(crushed.left, crushed.right);
   contact.bound = failure::crushing_force(model.ice, area);
-  contact.bends = std::abs(contact.normal.z) > std::cos(structure::kSteepestSlope);
+  contact.bends = std::abs(contact.normal.z) > std::cos(structure::kSteepestSlope) &&
+                  std::abs(crushed.force.z) > kLeastMu1 * norm(plan(crushed.force));
   if (!contact.bends) return;
 
   const double in_plane = dot(plan(crushed.force), normal);

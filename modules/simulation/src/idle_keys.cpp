@@ -48,6 +48,8 @@ void look_at_ice(const model::Case& c, const model::Case& usual, IdleKeys& keys)
                "ice.variation.thickness or ice.variation.flexural_strength");
   keys.look_at("field.initial_crack_radius", c.field.initial_crack_radius, usual.field.initial_crack_radius,
                c.field.initial_crack, "field.initial_crack = true");
+  keys.look_at("field.edge_correlation_length", c.field.edge_correlation_length, usual.field.edge_correlation_length,
+               c.field.edge_roughness > 0.0, "field.edge_roughness");
   keys.look_at("field.origin", c.field.origin, usual.field.origin, names_a_file(c.field),
                "field.file, openings, cracks or shore");
   keys.look_at("time.settle_speed", c.time.settle_speed, usual.time.settle_speed,

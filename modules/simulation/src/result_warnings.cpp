@@ -39,6 +39,26 @@ void add_unsettled_warning(const RunSummary& s, std::size_t n_steps, Warnings& w
            s.n_unsettled_steps, n_steps, s.mean_last_change)});
 }
 
+/// A ship's resistance is steady when the ice under its bottom is.
+void add_coverage_warning(const RunSummary& s, std::span<const model::LoadRow> loads, Warnings& warnings) {
+  constexpr double kSteady = 0.05;  // of the bottom
+  const double middle = 0.5 * (s.window.from + s.window.until);
+  double sums[2] = {}, rows[2] = {};
+  for (const model::LoadRow& row : loads) {
+    if (row.time <= s.window.from || row.time > s.window.until) continue;
+    const int half = row.time <= middle ? 0 : 1;
+    sums[half] += row.regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered;
+    rows[half] += 1.0;
+  }
+  const double first = sums[0] / rows[0], second = sums[1] / rows[1];
+  if (!(second - first > kSteady)) return;
+  warnings.push_back(
+      {"filling-hull", fmt::format("floes cover {:.0f} % of the hull's bottom in the first half of the statistics and "
+                                   "{:.0f} % in the second: the resistance is not steady yet; run longer, and raise "
+                                   "output.statistics_from",
+                                   100.0 * first, 100.0 * second)});
+}
+
 /// When the ice last bore on the structure [s].
 std::optional<double> last_load(std::span<const model::LoadRow> loads) {
   std::optional<double> last;
@@ -76,6 +96,7 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
                      s.horizontal.effective_sample_size, s.window.from, kFewSamples)});
   if (!no_load) add_reference_warning(s, reference, warnings);
   add_unsettled_warning(s, loads.size(), warnings);
+  add_coverage_warning(s, loads, warnings);
   return warnings;
 }
 

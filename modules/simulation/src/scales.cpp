@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/simulation/scales.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
@@ -24,11 +25,14 @@ double slope_ahead(const model::Case& c) {
   return structure::foremost(*hull, motion->now().pose, heights.bottom, heights.top, motion->course()).surface.slope;
 }
 
-/// Of a contact straight ahead. A vertical front does not bend the ice, and a criterion asks for something that does.
+/// Of a contact straight ahead. A front that is vertical, or to which the ice sticks, does not bend the ice, and a
+/// criterion asks for something that does.
 failure::LoadRatios ratios_ahead(double slope, double friction) {
   constexpr double kHardly = 1e-6;
   if (slope >= structure::kSteepestSlope) return {.horizontal = 1.0, .mu1 = kHardly, .mu2 = 0.0};
-  return failure::load_ratios(slope, friction, 0.0);
+  failure::LoadRatios ratios = failure::load_ratios(slope, friction, 0.0);
+  ratios.mu1 = std::max(ratios.mu1, kHardly);
+  return ratios;
 }
 
 }  // namespace

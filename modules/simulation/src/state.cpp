@@ -46,6 +46,12 @@ std::vector<failure::EdgeDynamics> edge_dynamics(const model::Case& c, const ice
   return dynamics;
 }
 
+std::optional<const Coverage> coverage_of(const model::Case& c, const structure::Hull& hull,
+                                          const std::optional<const structure::Regions>& regions) {
+  if (!regions || !c.structure.legs.empty()) return std::nullopt;
+  return Coverage(hull, *regions, c.ice.thickness);
+}
+
 }  // namespace
 
 Laws::Laws(const model::Case& c)
@@ -53,6 +59,7 @@ Laws::Laws(const model::Case& c)
       hull(structure::make_hull(c.structure)),
       hull_reach(hull->reach()),
       regions(structure::regions_of(c.structure, *hull)),
+      coverage(coverage_of(c, *hull, regions)),
       pattern(ice::make_crack_pattern(c.failure)),
       water(resolved) {}
 

@@ -12,6 +12,7 @@
 #include "brash/ice/field.hpp"
 #include "brash/model/checkpoint.hpp"
 #include "brash/simulation/simulation.hpp"
+#include "coverage.hpp"
 #include "drifting_sheets.hpp"
 #include "edge_contact.hpp"
 #include "energy_ledger.hpp"
@@ -36,6 +37,7 @@ struct Laws {
   std::unique_ptr<const structure::Hull> hull;
   double hull_reach;                                ///< from the origin of the structure to its farthest point [m]
   std::optional<const structure::Regions> regions;  ///< of the structure, for its loads
+  std::optional<const Coverage> coverage;           ///< of the regions of a hull
   std::unique_ptr<const ice::CrackPattern> pattern;
   FloeWater water;
 };

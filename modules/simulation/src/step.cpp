@@ -109,6 +109,10 @@ Wrench collect_loads(State& s, const Laws& laws, Step& step) {
   row.total = in_load_axes(total);
   row.bed = in_load_axes(bed);
   row.regions = step.region_loads.in(in_load_axes);
+  if (laws.coverage) {
+    const CoveredShares covered = laws.coverage->by(s.world, s.floes, now.pose);
+    for (std::size_t i = 0; i < covered.size(); ++i) row.regions[i].covered = covered[i];
+  }
 
   const double dt = laws.resolved.time.step;
   Wrench of_floes = normal;

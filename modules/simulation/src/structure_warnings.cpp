@@ -19,7 +19,14 @@
 namespace brash::simulation {
 namespace {
 
-void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
+void add_front_warning(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  const double steepest = 0.5 * kPi - std::atan(c.ice.friction_structure);
+  if (scales.front_slope < structure::kSteepestSlope && scales.front_slope >= steepest)
+    warnings.push_back({"sticking-front",
+                        fmt::format("the front of the structure slopes at {:.4g} degrees: from {:.4g} degrees on, ice "
+                                    "with ice.friction_structure = {:.3g} sticks to it, so there it is crushed and not "
+                                    "bent",
+                                    degrees(scales.front_slope), degrees(steepest), c.ice.friction_structure)});
   if (scales.front_slope < structure::kSteepestSlope) return;
   warnings.push_back({"vertical-front",
                       "the front of the structure is vertical: it crushes the ice at ice.crushing_factor * "
@@ -283,7 +290,7 @@ const model::FloatingBody* afloat(const model::Motion& motion) {
 }
 
 void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  add_front_warning(scales, warnings);
+  add_front_warning(c, scales, warnings);
   add_mesh_warnings(c.structure.shape, warnings);
   add_turn_warning(c.structure.motion, warnings);
   add_angle_warnings(c, warnings);

@@ -79,7 +79,9 @@ std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, con
       };
       return Vec3{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
     };
-    means.push_back({region, {mean_of(&model::RegionLoad::total), mean_of(&model::RegionLoad::crushing)}});
+    means.push_back({region,
+                     {mean_of(&model::RegionLoad::total), mean_of(&model::RegionLoad::crushing),
+                      mean(rows, [&](const model::LoadRow& row) { return row.regions[i].covered; })}});
     any = any || means.back().load != model::RegionLoad{};
   });
   if (rows.empty() || !any) means.clear();
@@ -89,7 +91,10 @@ std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, con
 nlohmann::ordered_json json_of(const std::vector<RegionMean>& means) {
   const auto of = [](Vec3 force) { return nlohmann::ordered_json{{"Fx", force.x}, {"Fy", force.y}, {"Fz", force.z}}; };
   nlohmann::ordered_json json;
-  for (const auto& [region, load] : means) json[region] = {{"total", of(load.total)}, {"crushing", of(load.crushing)}};
+  for (const auto& [region, load] : means) {
+    json[region] = {{"total", of(load.total)}, {"crushing", of(load.crushing)}};
+    if (!region.starts_with("leg_")) json[region]["covered"] = load.covered;
+  }
   return json;
 }
 

@@ -80,7 +80,9 @@ BOOST_AUTO_TEST_CASE(load_ratios_are_the_force_of_a_sliding_contact_in_space) {
       const double mu = 0.3;
       const Vec3 n{std::sin(slope), 0.0, std::cos(slope)};
       const Vec3 u{std::cos(heading), std::sin(heading), 0.0};
-      const Vec3 force = n + mu * normalized(u - dot(u, n) * n);
+      const Vec3 slip = u - dot(u, n) * n;
+      const double most = dot(u, n) > 0.0 ? norm(slip) / dot(u, n) : mu;  // beyond, the ice sticks
+      const Vec3 force = n + std::min(mu, most) * normalized(slip);
       const LoadRatios r = load_ratios(slope, mu, heading);
       // Round-off only.
       BOOST_TEST(r.horizontal == force.x, boost::test_tools::tolerance(1e-12));
@@ -88,6 +90,16 @@ BOOST_AUTO_TEST_CASE(load_ratios_are_the_force_of_a_sliding_contact_in_space) {
       BOOST_TEST(std::abs(r.mu2 - force.y / force.x) < 1e-12);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(ice_that_sticks_is_pushed_along_the_motion) {
+  // 1 / tan(1.5) is 0.071.
+  for (const double mu : {0.072, 0.3, 2.0}) {
+    const LoadRatios r = load_ratios(1.5, mu, 0.0);
+    BOOST_TEST(r.horizontal == 1.0 / std::sin(1.5), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(std::abs(r.mu1) < 1e-15);
+  }
+  BOOST_TEST(load_ratios(1.5, 0.07, 0.0).mu1 > 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_vertical_wall_met_squarely_has_no_friction) {

@@ -91,7 +91,26 @@ BOOST_AUTO_TEST_CASE(nothing_passes_the_surface_and_far_away_the_water_is_at_res
   const StructureFlow flow({6.8, 5.0, 5.2});
   BOOST_TEST(flow.at({9.0, 3.0, 0.0}, kVelocity).z == 0.0);
   BOOST_TEST(norm(flow.at({100.0, 50.0, 0.0}, kVelocity)) < 1e-3);
-  BOOST_TEST(flow.at({1.0, 1.0, -1.0}, kVelocity).x == 1.2);  // inside
+}
+
+BOOST_AUTO_TEST_CASE(below_the_keel_of_a_ship_the_water_runs_aft_also_inside_the_ellipsoid) {
+  // An icebreaker of 121 m by 23 m: its ellipsoid of the same volume is deeper than its keel at 7 m.
+  const StructureFlow flow({60.5, 11.6, 8.41});
+  for (const double x : {-25.0, 0.0, 25.0}) BOOST_TEST(flow.at({x, 2.0, -7.0}, kVelocity).x < -0.02);
+  const Vec3 surface{0.0, 0.0, -8.41};
+  BOOST_TEST(norm(flow.at(0.999999 * surface, kVelocity) - flow.at(1.000001 * surface, kVelocity)) < 1e-5);
+  BOOST_TEST(flow.at({0.0, 0.0, -7.0}, kVelocity).x == flow.at(surface, kVelocity).x);
+  BOOST_TEST(flow.at({}, kVelocity).x == 1.2);  // no ray leaves the centre
+}
+
+BOOST_AUTO_TEST_CASE(inside_a_sphere_the_water_has_the_velocity_of_the_surface) {
+  // The dipole at r = R: u = U / 2 (3 cos(theta) e_r - e_x).
+  const StructureFlow flow({2.0, 2.0, 2.0});
+  for (const Vec3 p : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.5, -1.0}, Vec3{0.7, -0.9, -1.1}}) {
+    const double r = norm(p);
+    const Vec3 expected = 0.6 * (3.0 * p.x / (r * r) * p - Vec3{1.0, 0.0, 0.0});
+    BOOST_TEST(norm(flow.at(p, kVelocity) - expected) < 1e-9);
+  }
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct InFolder {
   void open(const std::string& text) { field.openings = write("openings", text); }
   void crack(const std::string& text) { field.cracks = write("cracks", text); }
   void give(const std::string& text) { field.file = write("ice", text); }
-  LaidIce lay() const { return lay_ice(field, kIce); }
+  LaidIce lay() const { return lay_ice(field, kIce, {}); }
 
   void refuses(const std::string& word) const {
     BOOST_CHECK_EXCEPTION((void)lay(), InputError, [&](const InputError& error) {
@@ -69,6 +69,23 @@ BOOST_AUTO_TEST_CASE(without_files_the_ice_is_the_rectangle) {
   const LaidIce ice = lay();
   BOOST_REQUIRE(ice.sheets.size() == 1u);
   BOOST_TEST((geometry::area(ice.sheets.front()) == square_metres(30.0, 20.0)));
+}
+
+BOOST_AUTO_TEST_CASE(with_a_rough_first_edge_the_ice_is_the_rectangle_beyond_it) {
+  model::Case c;
+  c.ice.thickness = kIce.thickness;
+  c.field = field;
+  c.field.edge_roughness = 0.25;
+  const Variation variation(c);
+  const LaidIce ice = lay_ice(field, kIce, variation);
+  BOOST_REQUIRE(ice.sheets.size() == 1u);
+  const std::vector<Vec2> edge = variation.first_edge(field.width);
+  double lost = 0.0;  // between the line x = 0 and the edge
+  for (std::size_t i = 1; i < edge.size(); ++i) lost += 0.5 * (edge[i].x + edge[i - 1].x) * (edge[i - 1].y - edge[i].y);
+  BOOST_TEST(std::abs(lost) > 0.01);
+  // Corners are rounded to the grid of 1e-9 m.
+  BOOST_TEST(std::abs(geometry::area(ice.sheets.front()).square_metres() - (600.0 - lost)) < 1e-6);
+  BOOST_TEST(is_held(ice.sheets.front(), field, {}));
 }
 
 BOOST_AUTO_TEST_CASE(a_channel_leaves_two_sheets_and_exactly_their_area) {

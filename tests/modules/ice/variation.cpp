@@ -122,6 +122,41 @@ BOOST_AUTO_TEST_CASE(a_field_is_a_function_of_seed_and_place_alone) {
   BOOST_TEST(one.at(properties(), a).thickness != other.at(properties(), a).thickness);
 }
 
+/// Over many edges, at one place and a correlation length on: within four standard errors of the law.
+BOOST_AUTO_TEST_CASE(a_rough_first_edge_has_its_deviation_and_correlation) {
+  constexpr int kEdges = 1000;
+  constexpr double kDeviation = 0.2;
+  const double of_root = 4.0 / std::sqrt(kEdges);
+  Moments at_place, product;
+  for (int seed = 1; seed <= kEdges; ++seed) {
+    model::Case c = varied(0.0, 0.0, static_cast<std::uint64_t>(seed));
+    c.field.edge_roughness = kDeviation;
+    c.field.edge_correlation_length = kLength;
+    const Variation variation(c);
+    BOOST_TEST(!variation);  // thickness and strength are even
+    const std::vector<Vec2> edge = variation.first_edge(3.0 * kLength);
+    BOOST_REQUIRE(edge.size() == 25u);  // eight chords in a correlation length
+    BOOST_TEST(edge.front().y == 1.5 * kLength);
+    BOOST_TEST(edge.back().y == -1.5 * kLength);
+    at_place.add(edge[4].x / kDeviation);
+    product.add(edge[4].x * edge[12].x / (kDeviation * kDeviation));
+  }
+  BOOST_TEST(std::abs(at_place.mean()) < of_root);
+  BOOST_TEST(std::abs(at_place.variance() - 1.0) < std::sqrt(2.0) * of_root);
+  BOOST_TEST(std::abs(product.mean() - std::exp(-1.0)) < 1.1 * of_root);
+}
+
+BOOST_AUTO_TEST_CASE(each_seed_and_replicate_has_a_first_edge_of_its_own) {
+  model::Case c = varied(0.0, 0.0);
+  BOOST_TEST(Variation(c).first_edge(10.0).size() == 2u);  // straight
+  c.field.edge_roughness = 0.2;
+  const std::vector<Vec2> edge = Variation(c).first_edge(10.0);
+  BOOST_TEST(edge.size() > 2u);
+  BOOST_TEST((Variation(c).first_edge(10.0) == edge));
+  c.random.replicate = 1;
+  BOOST_TEST((Variation(c).first_edge(10.0) != edge));
+}
+
 BOOST_AUTO_TEST_CASE(a_field_without_variation_is_even_ice) {
   const Variation none(varied(0.0, 0.0)), hardly(varied(1e-9, 1e-9));
   BOOST_TEST(!none);

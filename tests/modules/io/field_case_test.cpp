@@ -108,6 +108,20 @@ BOOST_AUTO_TEST_CASE(files_of_level_ice_leave_the_initial_crack_out) {
           "is no key of field.kind = \"floes\"");
 }
 
+BOOST_AUTO_TEST_CASE(a_rough_first_edge_is_refused_where_it_cannot_be_drawn) {
+  const Case c = read(kLeastCase, {"field.edge_roughness=20 cm", "field.edge_correlation_length=2"});
+  BOOST_TEST(c.field.edge_roughness == 0.2);
+  refuses(kLeastCase, {"field.edge_roughness=" + std::to_string(c.field.length)}, "more than a tenth of the sheet's");
+  refuses(kLeastCase, {"field.edge_roughness=0.1", "field.edge_correlation_length=0.001"},
+          "a thousandth of the sheet's");
+  const Scratch scratch;
+  scratch.write("ice.wkt", "POLYGON((0 -3, 30 -3, 30 3, 0 3, 0 -3))");
+  const std::string file = scratch.write("case.toml", kLeastCase);
+  BOOST_CHECK_EXCEPTION(
+      (void)read_case(file, {"field.file=ice.wkt", "field.edge_roughness=0.1"}), InputError,
+      [](const InputError& e) { return std::string(e.what()).find("their own edge") != std::string::npos; });
+}
+
 BOOST_AUTO_TEST_CASE(the_schema_names_the_choices_of_the_model) {
   const auto field = nlohmann::json::parse(case_schema())["properties"]["field"]["properties"];
   std::vector<std::string> shapes, laws, of_sheets, of_floes;

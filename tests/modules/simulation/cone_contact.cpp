@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's cone presses on ice: vertical over horizontal force is cot(angle + atan(friction)), by the failure room's
 // load ratios, by a floe's contact in the World, and by a step against the fixed edge.
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include "brash/failure/criterion.hpp"
@@ -185,6 +187,15 @@ BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_plane_and_a_wedge_by_the_pressure
   const Vec3 wall = force_of({"structure.kind=plane", "structure.length=8", "structure.angle=90 deg"});
   BOOST_TEST(wall.x == whole, boost::test_tools::tolerance(1e-5));
   BOOST_TEST(wall.z == whole * std::tan(radians(0.1)), boost::test_tools::tolerance(1e-5));
+  // Ice sticks to a steep rough front: the pressure on its area w h / sin(a) then acts along the motion, as the force
+  // on a vertical front does.
+  for (const double angle : {85.0, 89.0, 90.0}) {
+    const double sine = std::sin(radians(std::min(angle, 89.9)));
+    const Vec3 stuck = force_of({"structure.kind=plane", "structure.length=8", "ice.friction_structure=0.3",
+                                 fmt::format("structure.angle={} deg", angle)});
+    BOOST_TEST(stuck.x == whole / (sine * sine), boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(std::abs(stuck.z) < 1e-9 * stuck.x);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_front_that_is_all_but_vertical_has_scales_whatever_its_friction) {

@@ -9,6 +9,7 @@
 
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
+#include "brash/simulation/warnings.hpp"
 
 namespace {
 
@@ -61,6 +62,22 @@ BOOST_AUTO_TEST_CASE(each_row_of_the_table_after_the_run_gives_its_warning) {
   BOOST_TEST(rows.size() == 5u);
   for (const Row& row : rows)
     BOOST_TEST(has(simulation::run(validation(row.settings)).summary.warnings, row.id), row.id);
+}
+
+BOOST_AUTO_TEST_CASE(a_hull_whose_bottom_still_fills_warns) {
+  const auto warns_where_it_grows_to = [](double covered) {
+    simulation::RunSummary summary;
+    summary.window = {.from = 10.0, .until = 50.0};
+    std::vector<model::LoadRow> rows(60);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].time = static_cast<double>(i + 1);
+      rows[i].regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered = i < 30 ? 0.2 : covered;
+    }
+    return has(simulation::warnings_of(summary, rows, {}), "filling-hull");
+  };
+  BOOST_TEST(warns_where_it_grows_to(0.26));
+  BOOST_TEST(!warns_where_it_grows_to(0.24));
+  BOOST_TEST(!warns_where_it_grows_to(0.0));
 }
 
 BOOST_AUTO_TEST_CASE(a_number_without_its_unit_gets_the_unit_that_was_probably_meant) {

@@ -51,8 +51,9 @@ struct LoadRatios {
 ///     N = sin a + mu cos H cos^2 a / |s|,  P = cos a - mu cos H sin a cos a / |s|,  f = mu sin H / |s|,
 ///     |s| = sqrt(cos^2 H cos^2 a + sin^2 H).
 ///
-/// At heading 0: mu1 = (cos a - mu sin a)/(sin a + mu cos a). Without slip (a vertical wall met squarely) there is no
-/// friction.
+/// At heading 0: mu1 = (cos a - mu sin a)/(sin a + mu cos a). Where mu would be more than |s| / (u n), the ice sticks:
+/// friction is then as large as that, and the force lies along u, so P = 0. Without slip (a vertical wall met squarely)
+/// there is no friction.
 ///
 /// @param slope     a [rad], in (0, pi/2].
 /// @param friction  mu [-], >= 0.

@@ -36,19 +36,23 @@ class GaussianField {
 };
 
 /// Thickness and flexural strength of level ice from place to place: independent log-normal fields about the ice's own
-/// values, which are their means. docs/theory/ice.md, (R2)
+/// values, which are their means; and its first edge, a Gaussian field about the line x = 0. docs/theory/ice.md, (R2)
+/// and (R3).
 class Variation {
  public:
   /// Even ice.
   Variation() = default;
-  /// The fields of a case: streams of its seed, its name and its replicate.
+  /// The fields of a case: streams of its seed and its replicate.
   explicit Variation(const model::Case& resolved);
 
-  /// Whether there is any.
+  /// Whether thickness or strength vary.
   explicit operator bool() const { return thickness_ || flexural_strength_; }
 
   /// `ice` with thickness and strength of a place, frame of the level ice [m].
   failure::IceProperties at(const failure::IceProperties& ice, Vec2 place) const;
+
+  /// Corners of the first edge of ice of this width [m], from y = width / 2 to -width / 2; two where it is straight.
+  std::vector<Vec2> first_edge(double width) const;
 
   /// `ice` with the mean thickness and strength over `piece`: in each triangle of its convex parts, the mean over the
   /// middles of the sides. Triangles with sides beyond the correlation length are divided.
@@ -67,11 +71,21 @@ class Variation {
   double length_ = 0.0;  ///< correlation length [m]
   std::optional<LogNormal> thickness_;
   std::optional<LogNormal> flexural_strength_;
+
+  /// The first edge: x at y is that of `field`, times `deviation`.
+  struct RoughEdge {
+    GaussianField field;
+    double deviation = 0.0;  ///< [m]
+    double spacing = 0.0;    ///< of its corners [m]
+  };
+  std::optional<RoughEdge> edge_;
 };
 
 /// Whether thickness or strength vary.
 bool varies(const model::IceSection& ice);
 /// The correlation length of fields that vary [m].
 double correlation_length(const model::IceSection& ice);
+/// The correlation length of the first edge [m].
+double edge_correlation_length(const model::Case& c);
 
 }  // namespace brash::ice

@@ -141,6 +141,12 @@ struct Columns<model::LoadRow> {
       visit_force("_" + region, "load on " + meaning, i, &model::RegionLoad::total, visit);
       visit_force("_" + region + "_crushing", "load of the sheet's edge on " + meaning, i, &model::RegionLoad::crushing,
                   visit);
+      if (i < model::kHullRegions)
+        visit(
+            "covered_" + region, "1",
+            "share of the wetted surface of " + meaning + " that floes cover", [i](auto& row) -> auto& {
+              return row.regions[i].covered;
+            });
     });
     visit_wrench("bed_", "load of the ice on the bed of the water", &model::LoadRow::bed, visit);
     model::EnergyLosses::visit_of_bed(column_of_loss(visit));

@@ -95,12 +95,14 @@ struct FieldSection {
   double length = 0.0;
   double width = 0.0;
   bool initial_crack = true;
-  double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
-  std::string file;                   ///< of outlines, absolute; empty: level ice is a rectangle, floes are generated
-  std::string openings;               ///< file of open water in level ice, absolute; empty: none
-  std::string cracks;                 ///< file of lines that part level ice, absolute; empty: none
-  std::string shore;                  ///< file of fixed outlines, absolute; empty: none
-  Vec2 origin{};                      ///< the place of x = 0, y = 0 in the coordinates of these files [m]
+  double initial_crack_radius = 0.0;     ///< 0: the breaking length of a straight edge
+  double edge_roughness = 0.0;           ///< standard deviation of the first edge about x = 0 [m]
+  double edge_correlation_length = 0.0;  ///< of the first edge [m]; 0: ten thicknesses
+  std::string file;      ///< of outlines, absolute; empty: level ice is a rectangle, floes are generated
+  std::string openings;  ///< file of open water in level ice, absolute; empty: none
+  std::string cracks;    ///< file of lines that part level ice, absolute; empty: none
+  std::string shore;     ///< file of fixed outlines, absolute; empty: none
+  Vec2 origin{};         ///< the place of x = 0, y = 0 in the coordinates of these files [m]
   Border border = Border::kFixed;
   double smallest_plate = 5.0;  ///< least breadth of ice afloat that bends as a plate, in characteristic lengths
   FloeFieldSection floes{};

@@ -160,6 +160,8 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
   if (field.kind == FieldKind::kLevelIce) {
     visit("field", "initial_crack", field.initial_crack);
     visit("field", "initial_crack_radius", field.initial_crack_radius);
+    visit("field", "edge_roughness", field.edge_roughness);
+    visit("field", "edge_correlation_length", field.edge_correlation_length);
     visit("field", "border", field.border);
     visit("field", "smallest_plate", field.smallest_plate);
     visit("field", "file", field.file);

@@ -96,10 +96,11 @@ constexpr std::size_t kHullRegions = 5;
 /// Each leg of a structure with legs is a region.
 constexpr std::size_t kMostLegs = 8;
 
-/// Force of the ice on a region of the structure [N], load axes.
+/// Force of the ice on a region of the structure [N], load axes; and how much of the region ice covers.
 struct RegionLoad {
   Vec3 total{};
-  Vec3 crushing{};  ///< the part of `total` from the edge of level ice; the rest is of floes
+  Vec3 crushing{};       ///< the part of `total` from the edge of level ice; the rest is of floes
+  double covered = 0.0;  ///< share of the wetted surface of a region of a hull that floes cover [-]
 
   friend bool operator==(const RegionLoad&, const RegionLoad&) = default;
 };

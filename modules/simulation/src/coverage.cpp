@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brash::simulation {
+namespace {
+
+/// Pieces of the wetted surface, about: the share of a region then errs by a few per cent.
+constexpr double kPieces = 1000.0;
+
+struct Triangle {
+  Vec3 a, b, c;
+  Vec3 vector_area() const { return 0.5 * cross(b - a, c - a); }
+  Vec3 middle() const { return (a + b + c) / 3.0; }
+};
+
+/// Calls `visit` with the pieces of a triangle, whose longest sides are halved until none is longer than `longest`.
+template <typename Visit>
+void divide(const Triangle& t, double longest, const Visit& visit) {
+  const double ab = norm(t.b - t.a), bc = norm(t.c - t.b), ca = norm(t.a - t.c);
+  if (std::max({ab, bc, ca}) <= longest) return visit(t);
+  if (bc > ab && bc >= ca) return divide({t.b, t.c, t.a}, longest, visit);
+  if (ca > ab) return divide({t.c, t.a, t.b}, longest, visit);
+  const Vec3 half = 0.5 * (t.a + t.b);
+  divide({t.a, half, t.c}, longest, visit);
+  divide({half, t.b, t.c}, longest, visit);
+}
+
+template <typename Visit>
+void for_each_triangle(const structure::TriangleMesh& mesh, const Visit& visit) {
+  for (const auto& [i, j, k] : mesh.triangles)
+    visit(Triangle{mesh.vertices[static_cast<std::size_t>(i)], mesh.vertices[static_cast<std::size_t>(j)],
+                   mesh.vertices[static_cast<std::size_t>(k)]});
+}
+
+bool is_in(const Prism& prism, Vec3 p) {
+  if (std::abs(p.z) > 0.5 * prism.thickness) return false;
+  return std::ranges::any_of(prism.parts, [at = plan(p)](const std::vector<Vec2>& part) {
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (cross(part[(i + 1) % part.size()] - part[i], at - part[i]) < 0.0) return false;
+    return true;
+  });
+}
+
+/// Of a sphere about the body's origin that holds the prism [m].
+double radius(const Prism& prism) {
+  double most = 0.0;
+  for (const Vec2 corner : prism.rings.front()) most = std::max(most, norm(corner));
+  return std::hypot(most, 0.5 * prism.thickness);
+}
+
+}  // namespace
+
+Coverage::Coverage(const structure::Hull& hull, const structure::Regions& regions, double thickness) {
+  double wetted = 0.0;
+  for_each_triangle(hull.mesh(), [&](const Triangle& t) {
+    if (t.middle().z < 0.0) wetted += norm(t.vector_area());
+  });
+  const double longest = std::sqrt(2.0 * wetted / kPieces);
+  for_each_triangle(hull.mesh(), [&](const Triangle& whole) {
+    divide(whole, longest, [&](const Triangle& t) {
+      const Vec3 middle = t.middle();
+      const double area = norm(t.vector_area());
+      if (!(middle.z < 0.0) || !(area > 0.0)) return;
+      const Vec3 outward = t.vector_area() / area;
+      const std::size_t region = regions.at(middle, outward);
+      if (region >= area_.size()) return;  // legs
+      places_.push_back({middle + 0.5 * thickness * outward, area, region});
+      area_[region] += area;
+      reach_ = std::max(reach_, norm(places_.back().ahead));
+    });
+  });
+}
+
+CoveredShares Coverage::by(const rigid_body::World& world, const FloePopulation& floes, const Pose& structure) const {
+  CoveredShares covered{};
+  if (places_.empty()) return covered;
+  std::vector<bool> is_covered(places_.size());
+  for (const BodyId body : world.floes()) {
+    const Pose pose = world.pose(body);
+    const Prism& prism = floes.at(body).prism;
+    const double size = radius(prism);
+    const Vec3 centre = to_body(structure, pose.position);
+    if (norm(centre) > reach_ + size) continue;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Vec3 apart = places_[i].ahead - centre;
+      if (is_covered[i] || dot(apart, apart) > size * size) continue;
+      is_covered[i] = is_in(prism, to_body(pose, to_world(structure, places_[i].ahead)));
+    }
+  }
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (is_covered[i]) covered[places_[i].region] += places_[i].area;
+  for (std::size_t region = 0; region < covered.size(); ++region)
+    if (area_[region] > 0.0) covered[region] /= area_[region];
+  return covered;
+}
+
+}  // namespace brash::simulation
