@@ -36,6 +36,7 @@ const std::map<std::string, Room> kRooms{
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
     {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {"CGAL", "Eigen", "json"}}},
     {"io", {"modules/io", {"core", "geometry", "model", "netcdf", "structure"}, {"toml", "netcdf", "udunits", "json"}}},
+    {"formats", {"modules/formats", {"core", "geometry", "model", "io", "structure"}, {"json", "minizip", "zlib"}}},
     {"report", {"modules/report", {"core", "model", "io", "statistics", "structure"}, {"json", "zlib"}}},
     {"live", {"modules/live", {"core"}, {"beast"}}},
     {"simulation",
@@ -67,6 +68,7 @@ const std::map<std::string, std::regex> kLibraries{
     {"json", std::regex("^nlohmann/")},
     {"nettle", std::regex("^nettle/")},
     {"zlib", std::regex("^zlib\\.h")},
+    {"minizip", std::regex("^zip\\.h")},
     {"clipper", std::regex("^polyclipping/")},
     {"beast", std::regex("^boost/(asio|beast)")},
 };

@@ -11,6 +11,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/formats/maps.hpp"
 #include "brash/geometry/caliper.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/io/origin.hpp"
@@ -18,9 +19,7 @@
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
 #include "file_name.hpp"
-#include "map_file.hpp"
 #include "origin_text.hpp"
-#include "vtk_meshes.hpp"
 
 namespace brash::cli {
 namespace {
@@ -49,17 +48,17 @@ PieceSizes sizes_of_run(const std::string& file, bool born) {
   }
   // The large floes of a field are plates.
   if (io::read_case_of(file).find("[field]\nkind = \"floes\"") == std::string::npos) return sizes;
-  for (const geometry::Polygon& plate : polygons_of(born ? results.initial_sheet : results.final_sheet)) {
+  for (const geometry::Polygon& plate : formats::polygons_of(born ? results.initial_sheet : results.final_sheet)) {
     sizes.diameters.push_back(geometry::mean_caliper_diameter(plate.outline));
     sizes.areas.push_back(geometry::area(plate).square_metres());
   }
   return sizes;
 }
 
-PieceSizes sizes_of_map(const std::string& file) {
-  const auto read = geometry::read_shapes(read_characters(file, "a map (WKT or GeoJSON)", kMostMebibytes));
-  if (!read) refuse_polygons(file, read.error().what);
-  say_left_out(file, read->left_out);
+PieceSizes sizes_of_map(const std::string& file, const Notes& notes) {
+  const auto read = geometry::read_shapes(read_characters(file, "a map (WKT or GeoJSON)", formats::kMostMebibytes));
+  if (!read) formats::refuse_polygons(file, read.error().what);
+  if (notes && !read->left_out.empty()) notes(fmt::format("{}: left out: {}", file, read->left_out));
   const geometry::Map& map = *read;
   const bool has_floes = std::ranges::any_of(map.features, [](const auto& f) { return f.kind == "floe"; });
   std::vector<geometry::Polygon> polygons;
@@ -125,12 +124,12 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
   return sizes;
 }
 
-PieceSizes read_piece_sizes(const std::string& path, bool born) {
+PieceSizes read_piece_sizes(const std::string& path, bool born, const Notes& notes) {
   const fs::path file = file_in(path, {"run.nc"});
   if (born && file.extension() != ".nc")
     throw InputError(Complaint{path, "is a map, which knows no floes that are gone", "--born for a run",
                                "leave --born out, or give the run.nc of the run"});
-  PieceSizes sizes = file.extension() == ".nc" ? sizes_of_run(file.string(), born) : sizes_of_map(file.string());
+  PieceSizes sizes = file.extension() == ".nc" ? sizes_of_run(file.string(), born) : sizes_of_map(file.string(), notes);
   if (sizes.areas.empty())
     throw InputError(Complaint{path, "has no pieces", "a map with floes, or a run that broke ice",
                                born ? "give another file" : "give another file, or --born for floes that are gone"});

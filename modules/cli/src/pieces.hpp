@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/core/input_file.hpp"
 #include "brash/geometry/polygon.hpp"
 #include "brash/model/origin.hpp"
 #include "brash/statistics/sizes.hpp"
@@ -25,8 +26,9 @@ struct PieceSizes {
 /// @param path  a run's folder or run.nc: floes alive at the end; else a map (WKT or GeoJSON): its floes, or where it
 ///              names none, all its polygons.
 /// @param born  of a run: every floe that was ever born, also those that are gone.
+/// @param notes hears which content of a map was left out.
 /// @throws InputError for a file that is no such thing, or without pieces.
-PieceSizes read_piece_sizes(const std::string& path, bool born);
+PieceSizes read_piece_sizes(const std::string& path, bool born, const Notes& notes = {});
 /// The sizes of polygons.
 /// @throws InputError for a polygon without area, or one that is not simple by itself.
 PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const std::string& source);

@@ -21,7 +21,7 @@ void pieces(const PiecesOptions& options) {
   refuse_overwriting(options.picture, {options.file});
   refuse_replacing_results(options.picture);
   check_picture_name(options.picture);
-  const PieceSizes sizes = read_piece_sizes(options.file, options.born);
+  const PieceSizes sizes = read_piece_sizes(options.file, options.born, say_note);
   const PieceAnalysis analysis = analyse_pieces(sizes);
   if (!options.picture.empty()) write_picture(options.picture, pieces_picture(sizes, analysis));
   const nlohmann::ordered_json json = pieces_json(sizes, analysis);

@@ -73,7 +73,7 @@ py::object sizes_of(const py::object& pieces, bool born, bool picture) {
   const bool is_path = py::isinstance<py::str>(pieces) || py::hasattr(pieces, "__fspath__");
   const auto read = [&] {
     const auto path = py::module_::import("os").attr("fspath")(pieces).cast<std::string>();
-    return unlocked([&] { return cli::read_piece_sizes(path, born); });
+    return unlocked([&] { return cli::read_piece_sizes(path, born, say_note); });
   };
   const cli::PieceSizes sizes = is_path ? read() : cli::piece_sizes_of(to_polygons(pieces, "pieces"), "polygons");
   if (sizes.areas.empty()) throw InputError("pieces: there are none");

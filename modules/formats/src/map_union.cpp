@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "map_union.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "brash/formats/maps.hpp"
 #include "brash/geometry/unite.hpp"
-#include "map_file.hpp"
-#include "messages.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 using geometry::Feature;
@@ -49,13 +46,13 @@ std::string ledger_text(const Union& sum, const Map& map) {
 
 }  // namespace
 
-std::string unite_map(const std::string& path, Map& map) {
+std::string unite_map(const std::string& path, Map& map, const Notes& notes) {
   for (std::size_t i = 0; i < map.features.size(); ++i)
     if (const std::string fault = geometry::fault_of(map.features[i].polygon); !fault.empty())
       refuse_polygons(fmt::format("{}, polygon {}", path, i + 1), fault);
   const auto has_own_ice = [](const Feature& f) { return f.thickness || f.flexural_strength; };
-  if (std::ranges::any_of(map.features, has_own_ice))
-    say("note: {}: left out: thickness and flexural_strength, since a union may join floes of different ice\n", path);
+  if (notes && std::ranges::any_of(map.features, has_own_ice))
+    notes(path + ": left out: thickness and flexural_strength, since a union may join floes of different ice");
   Union sum;
   std::vector<Feature> features;
   for (const std::string kind : {"sheet", "floe"}) {
@@ -68,4 +65,4 @@ std::string unite_map(const std::string& path, Map& map) {
   return ledger_text(sum, map);
 }
 
-}  // namespace brash::cli
+}  // namespace brash::formats

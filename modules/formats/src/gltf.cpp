@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gltf.hpp"
+#include "brash/formats/gltf.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <map>
 #include <utility>
 
+#include "brash/formats/vtk.hpp"
 #include "gltf_file.hpp"
-#include "vtk_meshes.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 using Json = GltfFile::Json;
@@ -99,7 +99,7 @@ class Scene {
     const model::FieldSection& field = run_.resolved.field;
     const double margin = 0.2 * std::max(field.length, field.width), side = 0.5 * field.width + margin;
     const double astern = -run_.resolved.structure.start_distance - margin, ahead = field.length + margin;
-    io::PolyData surface;
+    PolyData surface;
     surface.points = {{astern, -side, 0.0}, {ahead, -side, 0.0}, {ahead, side, 0.0}, {astern, side, 0.0}};
     surface.faces = {{0, 1, 2, 3}};
     add("water", file_.mesh(surface, file_.material("water", kSea)));
@@ -119,7 +119,7 @@ class Scene {
     int shown = -1;
     std::size_t since = 0;
     for (std::size_t i = 0; i < times_.size(); ++i) {
-      const io::PolyData surface = sheet_surface(run_.resolved, replay.at(run_.results.frames[i]));
+      const PolyData surface = sheet_surface(run_.resolved, replay.at(run_.results.frames[i]));
       if (i > 0 && i + 1 < times_.size() && !replay.has_cracked()) continue;
       if (shown >= 0) show(shown, since, i);
       shown = -1;
@@ -130,8 +130,8 @@ class Scene {
     if (shown >= 0) show(shown, since, times_.size());
   }
 
-  io::PolyData floe_surface(const model::FloeRecord& floe) const {
-    io::PolyData surface;
+  PolyData floe_surface(const model::FloeRecord& floe) const {
+    PolyData surface;
     const double half = 0.5 * thickness_of(floe, run_.resolved);
     for (const geometry::Polygon& polygon : polygons_of(floe.rings)) add_prism(surface, polygon, -half, half);
     return surface;
@@ -165,4 +165,4 @@ class Scene {
 
 std::string to_glb(const Replay& run) { return Scene(run).bytes(); }
 
-}  // namespace brash::cli
+}  // namespace brash::formats

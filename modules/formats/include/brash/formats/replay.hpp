@@ -3,16 +3,16 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "brash/geometry/ice_sheet.hpp"
-#include "brash/io/vtk.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/records.hpp"
 #include "brash/structure/hull.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 
 /// A run as other programs draw it.
 struct Replay {
@@ -21,6 +21,7 @@ struct Replay {
   std::unique_ptr<const structure::Hull> hull;
 };
 
+/// Reads a run from its run.nc. Neither the failure model nor the files of the ice need be there.
 /// @throws InputError when the file is no run, or has polygons that cannot be drawn.
 Replay read_replay(const std::string& run_file);
 
@@ -50,10 +51,7 @@ class SheetReplay {
 /// The thickness of a floe [m]; of files that do not have it, the level ice's.
 double thickness_of(const model::FloeRecord& floe, const model::Case& resolved);
 
-/// The surface of level ice with these outlines, afloat.
-io::PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons);
+/// Polygons of rings [m] with the ice on their left, each outline followed by its holes.
+std::vector<geometry::Polygon> polygons_of(std::span<const std::vector<Vec2>> rings);
 
-/// A closed surface of triangles, placed by `pose`.
-io::PolyData mesh_surface(const structure::TriangleMesh& mesh, const Pose& pose = {});
-
-}  // namespace brash::cli
+}  // namespace brash::formats

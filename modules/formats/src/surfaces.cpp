@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtk_meshes.hpp"
-
 #include <algorithm>
 #include <map>
 
-namespace brash::cli {
+#include "brash/formats/vtk.hpp"
+
+namespace brash::formats {
 namespace {
 
 /// The points of one prism: a lower and an upper one over each vertex of the plan.
 class Corners {
  public:
-  Corners(io::PolyData& data, double bottom, double top, const Pose& pose)
+  Corners(PolyData& data, double bottom, double top, const Pose& pose)
       : data_(data), bottom_(bottom), top_(top), pose_(pose) {}
 
   /// Index of the lower point over `vertex`; the upper one comes next.
@@ -26,14 +26,14 @@ class Corners {
   }
 
  private:
-  io::PolyData& data_;
+  PolyData& data_;
   double bottom_;
   double top_;
   Pose pose_;
   std::map<geometry::Point, std::int64_t> known_;
 };
 
-void add_sides(io::PolyData& data, Corners& corners, const geometry::Ring& ring) {
+void add_sides(PolyData& data, Corners& corners, const geometry::Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::int64_t a = corners.at(ring[i]), b = corners.at(ring[(i + 1) % ring.size()]);
     data.faces.push_back({a, b, b + 1, a + 1});
@@ -42,8 +42,7 @@ void add_sides(io::PolyData& data, Corners& corners, const geometry::Ring& ring)
 
 }  // namespace
 
-std::size_t add_prism(io::PolyData& data, const geometry::Polygon& polygon, double bottom, double top,
-                      const Pose& pose) {
+std::size_t add_prism(PolyData& data, const geometry::Polygon& polygon, double bottom, double top, const Pose& pose) {
   const std::size_t before = data.faces.size();
   Corners corners(data, bottom, top, pose);
   for (const geometry::Ring& part : geometry::convex_parts(polygon)) {
@@ -61,17 +60,18 @@ std::size_t add_prism(io::PolyData& data, const geometry::Polygon& polygon, doub
   return data.faces.size() - before;
 }
 
-std::vector<geometry::Polygon> polygons_of(std::span<const std::vector<Vec2>> rings) {
-  std::vector<geometry::Polygon> polygons;
-  for (const std::vector<Vec2>& vertices : rings) {
-    geometry::Ring ring;
-    for (const Vec2 v : vertices) ring.push_back(geometry::snap(v));
-    if (polygons.empty() || geometry::signed_area(ring) > geometry::ExactArea{})
-      polygons.push_back({std::move(ring), {}});
-    else
-      polygons.back().holes.push_back(std::move(ring));
-  }
-  return polygons;
+PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
+  PolyData data;
+  const double top = resolved.ice.thickness * (1.0 - resolved.ice.density / resolved.water.density);
+  for (const geometry::Polygon& polygon : polygons) add_prism(data, polygon, top - resolved.ice.thickness, top);
+  return data;
 }
 
-}  // namespace brash::cli
+PolyData mesh_surface(const structure::TriangleMesh& mesh, const Pose& pose) {
+  PolyData data;
+  for (const Vec3& vertex : mesh.vertices) data.points.push_back(to_world(pose, vertex));
+  for (const auto& [a, b, c] : mesh.triangles) data.faces.push_back({a, b, c});
+  return data;
+}
+
+}  // namespace brash::formats

@@ -6,7 +6,7 @@
 
 #include "brash/model/records.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 
 /// Where a load history acts in OpenFAST, and from when on.
 struct OpenFastOptions {
@@ -26,4 +26,4 @@ std::string to_openfast_forces(std::span<const model::LoadRow> loads, const Open
 /// @param forces_file  its name.
 std::string to_openfast_structural_control(const std::string& forces_file, const OpenFastOptions& options);
 
-}  // namespace brash::cli
+}  // namespace brash::formats

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ice_map.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +9,9 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
-#include "map_file.hpp"
-#include "vtk_meshes.hpp"
+#include "brash/formats/maps.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 /// The frame at a time, or the last one before it. The time of a frame is a product, which a written number may miss.
@@ -74,4 +71,4 @@ geometry::Map ice_map(const Replay& run, double time) {
   return map;
 }
 
-}  // namespace brash::cli
+}  // namespace brash::formats

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "replay.hpp"
+#include "brash/formats/replay.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 
 /// A replay as a binary glTF 2.0 file: structure, floes, level ice and water, with one animation. Lengths are in
 /// metres. Floes appear and vanish, and the sheet changes, at the frames of the run.
@@ -13,4 +13,4 @@ namespace brash::cli {
 /// @see glTF 2.0 specification, Khronos Group, 2021.
 std::string to_glb(const Replay& run);
 
-}  // namespace brash::cli
+}  // namespace brash::formats

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names, order and meaning of the lines: OpenFAST's documentation of ServoDyn's structural control.
-#include "openfast.hpp"
+#include "brash/formats/openfast.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 /// A line of an input file, its meaning after the name.
@@ -105,4 +105,4 @@ std::string to_openfast_structural_control(const std::string& forces_file, const
   return text + "-------------------------------------------------------------------------------\n";
 }
 
-}  // namespace brash::cli
+}  // namespace brash::formats

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace brash::cli {
+namespace brash::formats {
 
 /// A file in an archive.
 struct ZipEntry {
@@ -17,4 +17,4 @@ struct ZipEntry {
 /// @throws StorageError naming the file.
 void write_zip(const std::string& path, const std::vector<ZipEntry>& entries);
 
-}  // namespace brash::cli
+}  // namespace brash::formats

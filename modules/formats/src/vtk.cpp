@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/io/vtk.hpp"
+#include "brash/formats/vtk.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "brash/core/contract.hpp"
 
-namespace brash::io {
+namespace brash::formats {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files say LittleEndian");
@@ -99,4 +99,4 @@ std::string to_pvd(const std::vector<VtkStep>& steps) {
   return xml + "</Collection>\n</VTKFile>\n";
 }
 
-}  // namespace brash::io
+}  // namespace brash::formats

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "replay.hpp"
+#include "brash/formats/replay.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,8 @@
 #include "brash/core/error.hpp"
 #include "brash/io/recorded_case.hpp"
 #include "brash/io/results.hpp"
-#include "vtk_meshes.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 using geometry::IceSheet;
@@ -89,18 +88,17 @@ double thickness_of(const model::FloeRecord& floe, const model::Case& resolved) 
   return floe.thickness > 0.0 ? floe.thickness : resolved.ice.thickness;
 }
 
-io::PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
-  io::PolyData data;
-  const double top = resolved.ice.thickness * (1.0 - resolved.ice.density / resolved.water.density);
-  for (const geometry::Polygon& polygon : polygons) add_prism(data, polygon, top - resolved.ice.thickness, top);
-  return data;
+std::vector<geometry::Polygon> polygons_of(std::span<const std::vector<Vec2>> rings) {
+  std::vector<geometry::Polygon> polygons;
+  for (const std::vector<Vec2>& vertices : rings) {
+    geometry::Ring ring;
+    for (const Vec2 v : vertices) ring.push_back(geometry::snap(v));
+    if (polygons.empty() || geometry::signed_area(ring) > geometry::ExactArea{})
+      polygons.push_back({std::move(ring), {}});
+    else
+      polygons.back().holes.push_back(std::move(ring));
+  }
+  return polygons;
 }
 
-io::PolyData mesh_surface(const structure::TriangleMesh& mesh, const Pose& pose) {
-  io::PolyData data;
-  for (const Vec3& vertex : mesh.vertices) data.points.push_back(to_world(pose, vertex));
-  for (const auto& [a, b, c] : mesh.triangles) data.faces.push_back({a, b, c});
-  return data;
-}
-
-}  // namespace brash::cli
+}  // namespace brash::formats

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "brash/core/vec.hpp"
-#include "brash/io/vtk.hpp"
+#include "brash/formats/vtk.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 
 /// Collects the parts of a binary glTF 2.0 file. Parts name each other by their index.
 class GltfFile {
@@ -21,7 +21,7 @@ class GltfFile {
   int material(const std::string& name, std::span<const double> colour);
 
   /// A surface of convex faces. It has no normals, so it is drawn with flat faces.
-  int mesh(const io::PolyData& surface, int material);
+  int mesh(const PolyData& surface, int material);
 
   int node(Json node);
   Json& node(int index) { return nodes_.at(static_cast<std::size_t>(index)); }
@@ -49,4 +49,4 @@ class GltfFile {
   std::string buffer_;
 };
 
-}  // namespace brash::cli
+}  // namespace brash::formats

@@ -9,7 +9,7 @@
 #include "brash/core/contract.hpp"
 #include "brash/core/version.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the format is little endian");
@@ -85,7 +85,7 @@ int GltfFile::accessor(std::span<const float> numbers, const char* type, std::si
   return last_of(accessors_);
 }
 
-int GltfFile::mesh(const io::PolyData& surface, int material) {
+int GltfFile::mesh(const PolyData& surface, int material) {
   BRASH_EXPECTS(!surface.faces.empty(), surface.points.size());
   const std::vector<float> numbers = numbers_of(surface.points);
   view(numbers.data(), numbers.size() * sizeof(float), {{"target", kVertices}});
@@ -161,4 +161,4 @@ std::string GltfFile::bytes(const std::vector<int>& roots) const {
   return glb + chunks;
 }
 
-}  // namespace brash::cli
+}  // namespace brash::formats

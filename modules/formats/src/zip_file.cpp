@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "zip_file.hpp"
+#include "brash/formats/zip_file.hpp"
 
 #include <zip.h>
 #include <zlib.h>
@@ -9,7 +9,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
 
-namespace brash::cli {
+namespace brash::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,4 +51,4 @@ void write_zip(const std::string& path, const std::vector<ZipEntry>& entries) {
   publish(part, path);
 }
 
-}  // namespace brash::cli
+}  // namespace brash::formats
