@@ -14,9 +14,9 @@
 #include "brash/formats/maps.hpp"
 #include "brash/formats/openfast.hpp"
 #include "brash/formats/vtk.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
-#include "file_name.hpp"
 #include "fmu.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
@@ -38,7 +38,7 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
 
 void export_gltf(const std::string& run_file, const std::string& file) {
   refuse_overwriting(file, {run_file});
-  check_ending(file, "a replay in binary glTF", {".glb"});
+  io::check_ending(file, "a replay in binary glTF", {".glb"});
   const formats::Replay run = formats::read_replay(run_file);
   write_file(file, formats::to_glb(run));
   print("{} frames in {}\n", run.results.frames.size(), file);
@@ -47,7 +47,7 @@ void export_gltf(const std::string& run_file, const std::string& file) {
 void export_map(const std::string& run_file, const std::string& file, double time, const std::string& crs) {
   formats::check_map_name(file);
   refuse_overwriting(file, {run_file});
-  refuse_replacing_results(file);
+  io::refuse_replacing_results(file);
   geometry::Map map = formats::ice_map(formats::read_replay(run_file), time);
   if (!crs.empty()) formats::take_crs(map, crs);
   write_map_file(file, map);
@@ -77,7 +77,7 @@ void export_openfast(const std::string& run_file, const std::string& directory,
   print("structural control in {}\n", (fs::path(directory) / control).string());
 }
 
-std::string run_file(const std::string& given) { return file_in(given, {"run.nc"}); }
+std::string run_file(const std::string& given) { return io::file_in(given, {"run.nc"}); }
 
 /// What to write: `given`, or without it `name` beside the file of the run.
 std::string or_beside(const std::string& run_file, const std::string& given, const char* name) {

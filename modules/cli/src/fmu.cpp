@@ -16,10 +16,10 @@
 #include "brash/fmu/unit.hpp"
 #include "brash/fmu/variables.hpp"
 #include "brash/formats/zip_file.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/model/case_keys.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/simulation/scales.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
 #include "table.hpp"
 
@@ -27,6 +27,7 @@ namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using formats::ZipEntry;
 
 /// The library of all units, where the program was built or installed.
 std::string unit_library() {
@@ -56,10 +57,10 @@ std::vector<fmu::Parameter> parameters_of(const model::Case& resolved) {
 }
 
 /// The models, the mesh and the ice that the case reads, in the resources.
-std::vector<formats::ZipEntry> input_entries(const recording::Inputs& inputs) {
+std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
   constexpr std::size_t kMostMebibytes = 64;
   const std::string& own = inputs.resolved.failure.file;
-  std::vector<formats::ZipEntry> entries;
+  std::vector<ZipEntry> entries;
   if (const auto* const mesh = std::get_if<model::Mesh>(&inputs.resolved.structure.shape))
     for (const recording::InputFile& file : inputs.files)
       if (file.path == mesh->file) entries.push_back({"resources/" + file.copy, file.bytes});
@@ -86,10 +87,9 @@ std::string needs() {
 }
 
 /// The library of the unit, and beside it the shared libraries that it needs.
-std::vector<formats::ZipEntry> library_entries(fmu::Standard standard) {
+std::vector<ZipEntry> library_entries(fmu::Standard standard) {
   const fs::path library = unit_library(), folder = fs::path(fmu::library_path(standard)).parent_path();
-  std::vector<formats::ZipEntry> entries{
-      {fmu::library_path(standard), read_text_file(library, "the library of units")}};
+  std::vector<ZipEntry> entries{{fmu::library_path(standard), read_text_file(library, "the library of units")}};
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(library.parent_path() / "fmu")) others.push_back(entry.path());
   std::ranges::sort(others);
@@ -99,11 +99,11 @@ std::vector<formats::ZipEntry> library_entries(fmu::Standard standard) {
 }
 
 /// Says which case, models and version a unit is made of.
-std::string token_of(const fmu::Unit& unit, const std::vector<formats::ZipEntry>& inputs) {
+std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs) {
   Sha256 hash;
   hash.add(kVersion);
   hash.add(fmu::to_json(unit));
-  for (const formats::ZipEntry& input : inputs) hash.add(sha256(input.bytes));
+  for (const ZipEntry& input : inputs) hash.add(sha256(input.bytes));
   return hexadecimal(hash.digest());
 }
 
@@ -119,7 +119,7 @@ void check_name(const std::string& name, const std::string& case_file) {
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
                 fmu::Standard standard, bool velocity_from_poses) {
   refuse_overwriting(file, {case_file});
-  check_ending(file, "a co-simulation unit", {".fmu"});
+  io::check_ending(file, "a co-simulation unit", {".fmu"});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   check_name(inputs.resolved.name, case_file);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
@@ -127,12 +127,12 @@ void export_fmu(const std::string& case_file, const std::vector<std::string>& ov
     throw InputError(Complaint{"--velocity-from-poses", "is of no use: no host drives the structure of " + case_file,
                                "a structure that the host drives", "add --set structure.motion.kind=driven"});
   fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), "", velocity_from_poses};
-  std::vector<formats::ZipEntry> entries = input_entries(inputs);
+  std::vector<ZipEntry> entries = input_entries(inputs);
   unit.token = token_of(unit, entries);
   entries.insert(entries.begin(), {"modelDescription.xml", fmu::model_description(unit, standard)});
   entries.push_back({std::string("resources/") + fmu::kUnitFile, fmu::to_json(unit)});
   entries.push_back({"documentation/externalDependencies.txt", needs()});
-  for (formats::ZipEntry& entry : library_entries(standard)) entries.push_back(std::move(entry));
+  for (ZipEntry& entry : library_entries(standard)) entries.push_back(std::move(entry));
   formats::write_zip(file, entries);
   print("co-simulation unit of {} in {}\n", inputs.resolved.name, file);
 }

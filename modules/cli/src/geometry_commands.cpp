@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "brash/analysis/crack_run.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -18,16 +19,15 @@
 #include "brash/geometry/lines.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
-#include "crack_events.hpp"
-#include "crack_run.hpp"
-#include "file_name.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
 namespace {
 
+using analysis::CrackRun;
 using geometry::ExactArea;
 using geometry::Feature;
 using geometry::IceSheet;
@@ -169,11 +169,11 @@ void apply_lines(const std::string& path, const SheetFile& sheet, CrackRun& run)
   if (lines.n_cracks.empty()) say("note: {}: holds no line\n", path);
   MissedCuts missed, tails;
   int number = 0;
-  for (const bool has_cut : lines_inside(lines, sheet.map.features))
+  for (const bool has_cut : analysis::lines_inside(lines, sheet.map.features))
     missed.count(has_cut, fmt::format("line {}", ++number));
   run.apply(lines.cracks);
   number = 0;
-  for (const bool has_tail : lines_inside(lines, run.features()))
+  for (const bool has_tail : analysis::lines_inside(lines, run.features()))
     tails.count(!has_tail, fmt::format("line {}", ++number));
   missed.say_of(path, "lines");
   tails.say_of(path, "lines", "left a tail that ends inside the ice and splits nothing");
@@ -194,7 +194,7 @@ void apply_cuts(const CrackOptions& options, const SheetFile& sheet, CrackRun& r
     return missed.say_of(options.cutters, "cutters");
   }
   const std::string text = read_characters(options.events, "crack events (CSV)", formats::kMostMebibytes);
-  for (const CrackEvent& event : read_crack_events(options.events, text, sheet.map.origin)) {
+  for (const analysis::CrackEvent& event : analysis::read_crack_events(options.events, text, sheet.map.origin)) {
     refuse_small_circle(options.events, event.radius, options.sides);
     missed.count(run.apply(event, options.sides), fmt::format("in line {}", event.line));
     if (options.release_detached) run.release();
@@ -205,7 +205,7 @@ void apply_cuts(const CrackOptions& options, const SheetFile& sheet, CrackRun& r
 void crack(const CrackOptions& options) {
   refuse_other_than_one_cut(options);
   refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.lines});
-  refuse_replacing_results(options.output);
+  io::refuse_replacing_results(options.output);
   if (!options.output.empty()) formats::check_map_name(options.output);
   SheetFile sheet{options.sheet, read_map_file(options.sheet, origin_option("crack", options.origin))};
   geometry::Map& map = sheet.map;

@@ -46,7 +46,7 @@ std::string ledger_text(const Union& sum, const Map& map) {
 
 }  // namespace
 
-std::string unite_map(const std::string& path, Map& map, const Notes& notes) {
+std::string unite_map(const std::string& path, Map& map, const io::Notes& notes) {
   for (std::size_t i = 0; i < map.features.size(); ++i)
     if (const std::string fault = geometry::fault_of(map.features[i].polygon); !fault.empty())
       refuse_polygons(fmt::format("{}, polygon {}", path, i + 1), fault);

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 #include "brash/core/error.hpp"
-#include "brash/core/text.hpp"
 
 namespace brash::python {
 namespace {
@@ -122,11 +120,6 @@ py::array_t<double> to_array(const Quaternion& q) {
 
 py::object fraction(geometry::ExactArea area) {
   return py::module_::import("fractions").attr("Fraction")(area.to_string());
-}
-
-void say_note(const std::string& note) {
-  static_cast<void>(std::fputs(escaped_lines("note: " + note + "\n").c_str(), stderr));
-  std::fflush(stderr);
 }
 
 py::object from_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }

@@ -64,9 +64,6 @@ py::array_t<double> to_array(const Quaternion& q);
 /// An exact area [m2] as a fractions.Fraction.
 py::object fraction(geometry::ExactArea area);
 
-/// Says on stderr what a reader of files left out. It needs no GIL.
-void say_note(const std::string& note);
-
 /// Text as a Python value: json.loads.
 py::object from_json(const std::string& text);
 

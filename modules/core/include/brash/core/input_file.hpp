@@ -10,9 +10,6 @@
 
 namespace brash {
 
-/// Hears of what a reader left out of a file, a sentence that begins with the file's name; empty: nobody does.
-using Notes = std::function<void(const std::string& note)>;
-
 /// The bytes of a file.
 /// @param kind            expected kind of file, for messages: "a model (JSON)".
 /// @param most_mebibytes  size above which it is refused, whatever it states of itself.

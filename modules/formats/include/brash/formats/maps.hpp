@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "brash/core/input_file.hpp"
 #include "brash/formats/replay.hpp"
 #include "brash/geometry/text.hpp"
+#include "brash/io/file_names.hpp"
 
 namespace brash::formats {
 
@@ -51,6 +51,6 @@ geometry::Map ice_map(const Replay& run, double time);
 /// @param path  of the map, for messages.
 /// @return the ledger of the areas as JSON.
 /// @throws InputError naming a polygon that is not simple.
-std::string unite_map(const std::string& path, geometry::Map& map, const Notes& notes = {});
+std::string unite_map(const std::string& path, geometry::Map& map, const io::Notes& notes = {});
 
 }  // namespace brash::formats
