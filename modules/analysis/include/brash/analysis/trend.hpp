@@ -15,8 +15,8 @@ struct TrendSettings {
 };
 
 /// Tests whether results rise or fall along one key of a campaign's grid: the test of Jonckheere and Terpstra within
-/// each combination of the other keys, Kendall's tau, and the last setting less the first with its interval, all
-/// together at 5 % by Holm's method.
+/// each combination of the other keys, Kendall's tau, and the last setting less the first with its interval. Holm's
+/// method adjusts the p-values of all columns, and their intervals together hold with 95 %.
 ///
 /// @param table_file  campaign.csv; the summary.json beside it names the varied keys.
 /// @return `along`, `where`, `trends` with one entry a column, `warnings` with the number of cases that have each.
