@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "brash/analysis/load_history.hpp"
 #include "brash/core/error.hpp"
-#include "load_history.hpp"
 #include "scratch_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string& path = file.with(text_of(data, size));
   for (const double dt : {0.0, 0.1}) {
     try {
-      brash::cli::HistoryChoice choice;
+      brash::analysis::HistoryChoice choice;
       choice.dt = dt;
-      const brash::cli::LoadHistory read = brash::cli::read_history(path, choice);
+      const brash::analysis::LoadHistory read = brash::analysis::read_history(path, choice);
       for (const double value : read.history.values)
         if (!std::isfinite(value)) std::abort();
     } catch (const brash::InputError&) {

@@ -54,7 +54,7 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
       const auto numbers = columns_of(path, text);
       row.warnings = warnings_in(text);
       row.is_repeated = !seen.emplace(key.setting, fingerprint(numbers)).second;
-      if (row.is_repeated) row.warnings.push_back(kRepeated);
+      if (row.is_repeated) row.warnings.push_back(io::kRepeated);
       row.origin = io::origin_in(folder.case_folder(key) + "/manifest.json");
       for (std::size_t i = 0; i < plan.columns.size(); ++i)
         if (const auto found = numbers.find(plan.columns[i]); found != numbers.end()) row.values[i] = found->second;

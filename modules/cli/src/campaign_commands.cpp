@@ -21,17 +21,17 @@
 #include <set>
 #include <thread>
 
+#include "brash/analysis/tables.hpp"
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "brash/io/campaign_plan.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "origin_text.hpp"
 #include "requests_to_end.hpp"
-#include "run_folder.hpp"
 
 namespace brash::cli {
 namespace {
@@ -98,7 +98,7 @@ class CampaignProgress {
 
 /// How many done cases of a setting coincide with an earlier replicate.
 int n_repeated(const nlohmann::ordered_json& setting) {
-  return setting.value("warnings", nlohmann::ordered_json::object()).value(campaign::kRepeated, 0);
+  return setting.value("warnings", nlohmann::ordered_json::object()).value(io::kRepeated, 0);
 }
 
 /// How many cases of a setting are done without a mean load, and why; nothing where all have one.
@@ -129,7 +129,8 @@ std::vector<std::string> shown_columns(const nlohmann::ordered_json& statistics)
 /// The means of each setting.
 std::string means_table(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
-  std::string text = origin_text(summary) + fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
+  std::string text =
+      analysis::origin_text(summary) + fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
   for (const auto& setting : summary.at("settings")) {
     const std::string name = setting.at("setting");
     std::string shown = name;
@@ -233,7 +234,7 @@ void say_repeated(const std::string& summary_file) {
   if (names.empty()) return;
   say("warning: {}: replicates have the numbers of an earlier one to the last digit, and count once: {}; too little of "
       "these cases is random: vary the ice with ice.variation.thickness and ice.variation.flexural_strength\n",
-      campaign::kRepeated, fmt::join(names, ", "));
+      io::kRepeated, fmt::join(names, ", "));
 }
 
 /// Prints the tables of a campaign and makes its page.
@@ -241,7 +242,7 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
   if (!options.json) print("{}\n", means_table(campaign.directory + "/summary.json"));
   print_status(counts, options.json);
   if (!options.json) print("results in {}\n", options.directory);
-  const std::string page = report::has_page() ? write_report(options.directory) : "";
+  const std::string page = report::has_page() ? report::write_report(options.directory) : "";
   if (!options.json && !page.empty()) print("report in  {}\n", page);
   if (const int n = campaign::count_beyond(campaign.plan, campaign.directory); n > 0)
     say("warning: {}/cases has {} done cases that the plan does not have now: no table counts them\n",

@@ -9,6 +9,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/new_case.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
@@ -19,7 +20,6 @@
 #include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
 #include "commands.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "table.hpp"
@@ -72,7 +72,7 @@ void print_floes(const model::Case& resolved, const simulation::InitialField& fi
 
 void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {
   refuse_overwriting(picture, {path});
-  refuse_replacing_results(picture);
+  io::refuse_replacing_results(picture);
   model::Case resolved = io::read_case(path, overrides);
   for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(picture, {*file});
   check_picture_name(picture);

@@ -8,14 +8,14 @@
 #include <memory>
 #include <utility>
 
+#include "brash/analysis/campaign_histories.hpp"
+#include "brash/analysis/history_comparison.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
-#include "campaign_histories.hpp"
-#include "case_differences.hpp"
-#include "file_name.hpp"
-#include "history_comparison.hpp"
+#include "brash/report/pictures.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "stats_commands.hpp"
@@ -25,6 +25,8 @@ namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using analysis::HistoryChoice;
+using analysis::LoadHistory;
 
 struct CompareOptions {
   std::string run, where, measured_where, picture = "comparison.svg";
@@ -36,21 +38,21 @@ struct CompareOptions {
 /// The history of a run's folder, or a given one. The statistics of a run begin as its summary says.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!fs::is_directory(given)) {
-    begin_as_run(choice, given);
+    analysis::begin_as_run(choice, given);
     return given;
   }
   if (const fs::path summary = fs::path(given) / "summary.json"; fs::exists(summary))
-    begin_as_summary(choice, summary.string());
-  return history_file(given);
+    analysis::begin_as_summary(choice, summary.string());
+  return analysis::history_file(given);
 }
 
 /// The replicates of the one setting of a campaign that `where` leaves.
 std::vector<LoadHistory> replicates(const std::string& campaign, const HistoryChoice& choice,
                                     const std::string& where) {
-  auto settings = read_campaign_histories(campaign, choice, where);
+  auto settings = analysis::read_campaign_histories(campaign, choice, where);
   if (settings.size() == 1) return std::move(settings.front().replicates);
   std::vector<std::string> names;
-  for (const SettingHistories& setting : settings) names.push_back(setting.name);
+  for (const analysis::SettingHistories& setting : settings) names.push_back(setting.name);
   throw InputError(Complaint{campaign, fmt::format("is the folder of a campaign with {} settings", settings.size()),
                              "one setting", fmt::format("choose one with --where: {}", fmt::join(names, ", "))});
 }
@@ -59,7 +61,7 @@ std::vector<LoadHistory> replicates(const std::string& campaign, const HistoryCh
 void note_doubts(const std::vector<LoadHistory>& loads) {
   const std::string& file = loads.front().file;
   const std::string name = loads.size() == 1 ? file : fmt::format("{} and {} more", file, loads.size() - 1);
-  for (const std::string& warning : run_warnings(loads)) say("note: {}: {}\n", name, warning);
+  for (const std::string& warning : analysis::run_warnings(loads)) say("note: {}: {}\n", name, warning);
   for (const LoadHistory& load : loads)
     if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
       say("note: {}: {}\n", load.file, gaps);
@@ -67,9 +69,9 @@ void note_doubts(const std::vector<LoadHistory>& loads) {
 
 /// The histories of one side: of a file, of a run's folder, of one setting of a campaign.
 std::vector<LoadHistory> side(const std::string& given, HistoryChoice choice, const std::string& where) {
-  if (is_campaign(given)) return replicates(given, choice, where);
+  if (analysis::is_campaign(given)) return replicates(given, choice, where);
   const std::string file = run_history(given, choice);
-  return {read_history(file, choice)};
+  return {analysis::read_history(file, choice)};
 }
 
 /// Numbers in different units are not compared.
@@ -98,21 +100,21 @@ std::vector<LoadHistory> measurements(const CompareOptions& options) {
 
 /// A pattern chooses a setting of a campaign; of anything else there is nothing to choose.
 void check_patterns(CompareOptions& options) {
-  const bool measured = std::ranges::any_of(options.measured, is_campaign);
+  const bool measured = std::ranges::any_of(options.measured, analysis::is_campaign);
   const auto refuse = [](const std::string& option, const std::string& given, const std::string& allowed) {
     throw InputError(Complaint{given, fmt::format("is no campaign of which {} could choose a setting", option), allowed,
                                fmt::format("leave {} out, or give the folder of a campaign", option)});
   };
   if (!options.measured_where.empty() && !measured)
     refuse("--measured-where", options.measured.front(), "the folder of a campaign on the measured side");
-  if (!options.where.empty() && !is_campaign(options.run) && !measured)
+  if (!options.where.empty() && !analysis::is_campaign(options.run) && !measured)
     refuse("--where", options.run, "the folder of a campaign on one side at least");
   if (options.measured_where.empty()) options.measured_where = options.where;
 }
 
 void compare(CompareOptions& options) {
   check_patterns(options);
-  refuse_replacing_results(options.picture);
+  io::refuse_replacing_results(options.picture);
   for (const std::string& given : options.measured) refuse_overwriting(options.picture, {options.run, given});
   check_picture_name(options.picture);
   const std::vector<LoadHistory> runs = side(options.run, options.of_run, options.where);
@@ -120,13 +122,15 @@ void compare(CompareOptions& options) {
   for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});
   for (const LoadHistory& load : measured) refuse_overwriting(options.picture, {load.file});
   check_units(runs.front(), measured.front(), measured.front().file);
-  nlohmann::ordered_json comparison = compare_histories(runs, measured);
-  add_case_differences(runs, measured, comparison);
-  write_picture(options.picture, comparison_picture(joined(runs), joined(measured), comparison));
+  nlohmann::ordered_json comparison = analysis::compare_histories(runs, measured);
+  analysis::add_case_differences(runs, measured, comparison);
+  write_picture(options.picture,
+                report::comparison_picture(analysis::joined(runs), analysis::joined(measured), comparison));
   if (options.json) {
     print_data(comparison.dump(2) + "\n");
   } else {
-    print("{}{}picture in {}\n", case_differences_text(comparison), comparison_text(comparison), options.picture);
+    print("{}{}picture in {}\n", analysis::case_differences_text(comparison), analysis::comparison_text(comparison),
+          options.picture);
   }
   note_doubts(runs);
   note_doubts(measured);
@@ -161,6 +165,7 @@ void add_compare_command(CLI::App& app) {
   command->footer("Example: brash compare results/cone measured.csv --measured-column force -o comparison.svg");
   command->callback([options, from, measured_from] {
     options->of_run.has_from = from->count() > 0;
+    options->of_run.notes = options->of_measured.notes = say_note;
     options->of_measured.has_from = measured_from->count() > 0;
     compare(*options);
   });

@@ -18,8 +18,8 @@
 #include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
 #include "brash/database/edge_database.hpp"
+#include "brash/io/file_names.hpp"
 #include "commands.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
 #include "requests_to_end.hpp"
 
@@ -125,9 +125,9 @@ class ChunkFolder {
 
 template <typename Plan>
 void compute_plan(const Plan& plan, DatabaseOptions options) {
-  refuse_missing_folder(options.output);
+  io::refuse_missing_folder(options.output);
   refuse_overwriting(options.output, {options.plan});
-  refuse_replacing_results(options.output);
+  io::refuse_replacing_results(options.output);
   if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
   const ChunkFolder folder(options.output + ".chunks");
   if (options.on == "slurm") {

@@ -4,11 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "brash/analysis/design.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
-#include "design.hpp"
-#include "file_name.hpp"
+#include "brash/report/pictures.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "stats_commands.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 struct DesignOptions {
   std::string campaign, where, picture;
-  HistoryChoice choice;
-  DesignSettings asked;
+  analysis::HistoryChoice choice;
+  analysis::DesignSettings asked;
   double dead_band = 0.0;
   bool json = false;
 };
@@ -81,14 +82,15 @@ void add_design_command(CLI::App& app) {
   command->callback([options, command] {
     DesignOptions& o = *options;
     o.choice.has_from = command->count("--from") > 0;
+    o.choice.notes = say_note;
     if (command->count("--dead-band") > 0) o.asked.extremes.dead_band = o.dead_band;
-    refuse_replacing_results(o.picture);
+    io::refuse_replacing_results(o.picture);
     if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
     check_picture_name(o.picture);
-    const auto settings = read_campaign_histories(folder_of(o.campaign), o.choice, o.where);
-    const Design design = design_of(settings, o.asked);
-    if (!o.picture.empty()) write_picture(o.picture, design_picture(design, o.asked));
-    print_data(o.json ? design.json.dump(2) + "\n" : escaped_lines(design_text(design.json)));
+    const auto settings = analysis::read_campaign_histories(io::folder_of(o.campaign), o.choice, o.where);
+    const analysis::Design design = analysis::design_of(settings, o.asked);
+    if (!o.picture.empty()) write_picture(o.picture, report::design_picture(design, o.asked));
+    print_data(o.json ? design.json.dump(2) + "\n" : escaped_lines(analysis::design_text(design.json)));
   });
 }
 

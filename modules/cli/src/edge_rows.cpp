@@ -3,13 +3,13 @@
 
 #include <filesystem>
 
+#include "brash/analysis/closed_forms.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_break.hpp"
 #include "brash/failure/edge_responses.hpp"
 #include "brash/io/case.hpp"
 #include "brash/model/choices.hpp"
-#include "closed_forms.hpp"
 #include "failure_rows.hpp"
 #include "messages.hpp"
 
@@ -51,7 +51,7 @@ void predict_moving_edges(const EdgePredictOptions& options) {
   const std::vector<PredictedRow> rows = read_predicted_rows(options.rows, header);
   expect_no_thickness(rows, options.rows.empty() ? "standard input" : options.rows);
   const failure::IceProperties ice = ice_of(resolved);
-  const double l_c = failure::characteristic_length(ice), slope = waterline_slope(resolved);
+  const double l_c = failure::characteristic_length(ice), slope = analysis::waterline_slope(resolved);
   if (!(slope < 0.5 * kPi))
     throw InputError(Complaint{options.case_file, "has a vertical wall at the waterline, which does not bend the ice",
                                "a structure that slopes", "give its surface a slope, or leave --case out"});

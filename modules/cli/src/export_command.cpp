@@ -2,107 +2,54 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <memory>
 #include <vector>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/formats/gltf.hpp"
+#include "brash/formats/maps.hpp"
+#include "brash/formats/openfast.hpp"
+#include "brash/formats/vtk.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
-#include "file_name.hpp"
 #include "fmu.hpp"
-#include "gltf.hpp"
-#include "ice_map.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
-#include "openfast.hpp"
-#include "replay.hpp"
-#include "vtk_meshes.hpp"
 
 namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-enum Part { kFloes, kSheet, kStructure };
-
-io::PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
-                      const std::map<std::int64_t, const model::FloeRecord*>& records) {
-  io::PolyData data;
-  data.cell_data = {{"id", {}}, {"parent", {}}, {"age", {}}, {"area", {}}, {"thickness", {}}, {"contact_force", {}}};
-  for (const model::FloePose& floe : frame.floes) {
-    const model::FloeRecord& record = *records.at(floe.floe);
-    const double thickness = thickness_of(record, resolved);
-    const std::array values{static_cast<double>(record.id),
-                            static_cast<double>(record.parent),
-                            frame.time - record.birth,
-                            record.area,
-                            thickness,
-                            floe.contact_force};
-    for (const geometry::Polygon& polygon : polygons_of(record.rings)) {
-      const std::size_t n = add_prism(data, polygon, -0.5 * thickness, 0.5 * thickness, floe.pose);
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        std::vector<double>& column = data.cell_data[i].second;
-        column.insert(column.end(), n, values[i]);
-      }
-    }
-  }
-  return data;
-}
-
 void export_vtk(const std::string& run_file, const std::string& directory) {
-  const Replay run = read_replay(run_file);
-  std::map<std::int64_t, const model::FloeRecord*> records;
-  for (const model::FloeRecord& floe : run.results.floes) records[floe.id] = &floe;
-
-  SheetReplay replay(run);
-  std::vector<io::VtkStep> steps;
-  std::size_t number = 0;  // of the frame
-  const auto write = [&](double time, Part part, const std::string& name, const io::PolyData& data) {
-    if (data.faces.empty() && part == kSheet) return;  // a field of floes has no level ice
-    const std::string file = fmt::format("{}_{:05}.vtp", name, number);
-    write_file((fs::path(directory) / file).string(), io::to_vtp(data));
-    steps.push_back({time, part, file});
+  const formats::Replay run = formats::read_replay(run_file);
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    write_file((fs::path(directory) / name).string(), bytes);
   };
-  for (const model::Frame& frame : run.results.frames) {
-    write(frame.time, kFloes, "floes", floes_at(run.resolved, frame, records));
-    write(frame.time, kSheet, "sheet", sheet_surface(run.resolved, replay.at(frame)));
-    write(frame.time, kStructure, "structure", mesh_surface(run.hull->mesh(), frame.structure));
-    ++number;
-  }
   const std::string collection = (fs::path(directory) / "run.pvd").string();
-  write_file(collection, io::to_pvd(steps));
+  write_file(collection, formats::to_vtk_series(run, write));
   print("{} frames in {}\n", run.results.frames.size(), collection);
 }
 
 void export_gltf(const std::string& run_file, const std::string& file) {
   refuse_overwriting(file, {run_file});
-  check_ending(file, "a replay in binary glTF", {".glb"});
-  const Replay run = read_replay(run_file);
-  write_file(file, to_glb(run));
+  io::check_ending(file, "a replay in binary glTF", {".glb"});
+  const formats::Replay run = formats::read_replay(run_file);
+  write_file(file, formats::to_glb(run));
   print("{} frames in {}\n", run.results.frames.size(), file);
 }
 
-/// Gives a map the coordinate reference system that the user names, if it has no other one.
-void take_crs(geometry::Map& map, const std::string& name) {
-  const std::string given = crs_member(name), own = geometry::name_of_crs(map.crs);
-  if (!own.empty() && !geometry::are_same_crs(own, geometry::name_of_crs(given)))
-    throw InputError(Complaint{fmt::format("--crs={}", name), fmt::format("the ice of the run has the crs {}", own),
-                               "the crs of field.file", "leave --crs out, and project the map afterwards"});
-  map.crs = given;
-}
-
 void export_map(const std::string& run_file, const std::string& file, double time, const std::string& crs) {
-  check_map_name(file);
+  formats::check_map_name(file);
   refuse_overwriting(file, {run_file});
-  refuse_replacing_results(file);
-  geometry::Map map = ice_map(read_replay(run_file), time);
-  if (!crs.empty()) take_crs(map, crs);
+  io::refuse_replacing_results(file);
+  geometry::Map map = formats::ice_map(formats::read_replay(run_file), time);
+  if (!crs.empty()) formats::take_crs(map, crs);
   write_map_file(file, map);
   print("{} polygons in {}\n", map.features.size(), file);
   if (map.crs.empty())
@@ -111,7 +58,8 @@ void export_map(const std::string& run_file, const std::string& file, double tim
         file);
 }
 
-void export_openfast(const std::string& run_file, const std::string& directory, const OpenFastOptions& options) {
+void export_openfast(const std::string& run_file, const std::string& directory,
+                     const formats::OpenFastOptions& options) {
   const model::RunResults results = io::read_results(run_file);
   const double end = results.loads.empty() ? 0.0 : results.loads.back().time;
   if (!(options.from < end))
@@ -122,14 +70,14 @@ void export_openfast(const std::string& run_file, const std::string& directory, 
     throw InputError(Complaint{fmt::format("--ramp={}", options.ramp), "leaves no time of the full load",
                                fmt::format("less than the {} s of load", duration), "lower it"});
   const std::string forces = "ice_forces.dat", control = "ice_StC.dat";
-  write_file((fs::path(directory) / forces).string(), to_openfast_forces(results.loads, options));
-  write_file((fs::path(directory) / control).string(), to_openfast_structural_control(forces, options));
+  write_file((fs::path(directory) / forces).string(), formats::to_openfast_forces(results.loads, options));
+  write_file((fs::path(directory) / control).string(), formats::to_openfast_structural_control(forces, options));
   print("{:.9g} s of load in {}\n", duration, (fs::path(directory) / forces).string());
   print("TMax of OpenFAST: at most {:.9g} s, since the load is zero after that\n", duration);
   print("structural control in {}\n", (fs::path(directory) / control).string());
 }
 
-std::string run_file(const std::string& given) { return file_in(given, {"run.nc"}); }
+std::string run_file(const std::string& given) { return io::file_in(given, {"run.nc"}); }
 
 /// What to write: `given`, or without it `name` beside the file of the run.
 std::string or_beside(const std::string& run_file, const std::string& given, const char* name) {
@@ -203,7 +151,7 @@ void add_export_command(CLI::App& app) {
     std::string run;
     std::string directory;
     std::vector<double> point{0.0, 0.0, 0.0};
-    OpenFastOptions openfast;
+    formats::OpenFastOptions openfast;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a run for other programs");

@@ -15,18 +15,19 @@
 #include "brash/failure/model_files.hpp"
 #include "brash/fmu/unit.hpp"
 #include "brash/fmu/variables.hpp"
+#include "brash/formats/zip_file.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/model/case_keys.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/simulation/scales.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
 #include "table.hpp"
-#include "zip_file.hpp"
 
 namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using formats::ZipEntry;
 
 /// The library of all units, where the program was built or installed.
 std::string unit_library() {
@@ -118,7 +119,7 @@ void check_name(const std::string& name, const std::string& case_file) {
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
                 fmu::Standard standard, bool velocity_from_poses) {
   refuse_overwriting(file, {case_file});
-  check_ending(file, "a co-simulation unit", {".fmu"});
+  io::check_ending(file, "a co-simulation unit", {".fmu"});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   check_name(inputs.resolved.name, case_file);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
@@ -132,7 +133,7 @@ void export_fmu(const std::string& case_file, const std::vector<std::string>& ov
   entries.push_back({std::string("resources/") + fmu::kUnitFile, fmu::to_json(unit)});
   entries.push_back({"documentation/externalDependencies.txt", needs()});
   for (ZipEntry& entry : library_entries(standard)) entries.push_back(std::move(entry));
-  write_zip(file, entries);
+  formats::write_zip(file, entries);
   print("co-simulation unit of {} in {}\n", inputs.resolved.name, file);
 }
 

@@ -9,25 +9,25 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "brash/analysis/crack_run.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/formats/maps.hpp"
 #include "brash/geometry/lines.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
-#include "crack_events.hpp"
-#include "crack_run.hpp"
-#include "file_name.hpp"
 #include "map_file.hpp"
-#include "map_union.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
 namespace {
 
+using analysis::CrackRun;
 using geometry::ExactArea;
 using geometry::Feature;
 using geometry::IceSheet;
@@ -40,7 +40,7 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
     if (f.kind == "sheet") ice.push_back(f.polygon);
   }
   auto sheet = IceSheet::from_polygons(ice);
-  if (!sheet) refuse_polygons(path, sheet.error().what + " (sheet polygons count from 0)");
+  if (!sheet) formats::refuse_polygons(path, sheet.error().what + " (sheet polygons count from 0)");
   return *std::move(sheet);
 }
 
@@ -49,7 +49,7 @@ void refuse_crossed_floes(const std::string& path, const std::vector<Feature>& f
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (features[i].kind != "floe") continue;
     const std::string fault = geometry::fault_of(features[i].polygon);
-    if (!fault.empty()) refuse_polygons(fmt::format("{}, polygon {}, a floe", path, i + 1), fault);
+    if (!fault.empty()) formats::refuse_polygons(fmt::format("{}, polygon {}, a floe", path, i + 1), fault);
   }
 }
 
@@ -71,7 +71,7 @@ void refuse_other_crs(const std::string& path, const std::string& crs, const She
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
 std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& sheet) {
   const auto map =
-      geometry::read_map(read_characters(path, "cutters (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
+      geometry::read_map(read_characters(path, "cutters (WKT or GeoJSON)", formats::kMostMebibytes), sheet.map.origin);
   if (!map)
     throw InputError(Complaint{path, map.error().what,
                                "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON, in plan metres",
@@ -87,14 +87,15 @@ std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& shee
           Complaint{path, name + " has a hole", "polygons without holes", "give its parts as polygons without holes"});
     }
     if (const auto alone = IceSheet::from_polygons(std::span(&cutter, 1)); !alone) {
-      refuse_polygons(path, fmt::format("{} is not simple: {}", name, alone.error().what));
+      formats::refuse_polygons(path, fmt::format("{} is not simple: {}", name, alone.error().what));
     }
   }
   return polygons;
 }
 
 geometry::Lines read_lines(const std::string& path, const SheetFile& sheet) {
-  auto lines = geometry::read_lines(read_characters(path, "lines (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
+  auto lines =
+      geometry::read_lines(read_characters(path, "lines (WKT or GeoJSON)", formats::kMostMebibytes), sheet.map.origin);
   if (!lines)
     throw InputError(Complaint{path, lines.error().what,
                                "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
@@ -168,11 +169,11 @@ void apply_lines(const std::string& path, const SheetFile& sheet, CrackRun& run)
   if (lines.n_cracks.empty()) say("note: {}: holds no line\n", path);
   MissedCuts missed, tails;
   int number = 0;
-  for (const bool has_cut : lines_inside(lines, sheet.map.features))
+  for (const bool has_cut : analysis::lines_inside(lines, sheet.map.features))
     missed.count(has_cut, fmt::format("line {}", ++number));
   run.apply(lines.cracks);
   number = 0;
-  for (const bool has_tail : lines_inside(lines, run.features()))
+  for (const bool has_tail : analysis::lines_inside(lines, run.features()))
     tails.count(!has_tail, fmt::format("line {}", ++number));
   missed.say_of(path, "lines");
   tails.say_of(path, "lines", "left a tail that ends inside the ice and splits nothing");
@@ -192,8 +193,8 @@ void apply_cuts(const CrackOptions& options, const SheetFile& sheet, CrackRun& r
     }
     return missed.say_of(options.cutters, "cutters");
   }
-  const std::string text = read_characters(options.events, "crack events (CSV)", kMostMebibytes);
-  for (const CrackEvent& event : read_crack_events(options.events, text, sheet.map.origin)) {
+  const std::string text = read_characters(options.events, "crack events (CSV)", formats::kMostMebibytes);
+  for (const analysis::CrackEvent& event : analysis::read_crack_events(options.events, text, sheet.map.origin)) {
     refuse_small_circle(options.events, event.radius, options.sides);
     missed.count(run.apply(event, options.sides), fmt::format("in line {}", event.line));
     if (options.release_detached) run.release();
@@ -204,12 +205,12 @@ void apply_cuts(const CrackOptions& options, const SheetFile& sheet, CrackRun& r
 void crack(const CrackOptions& options) {
   refuse_other_than_one_cut(options);
   refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.lines});
-  refuse_replacing_results(options.output);
-  if (!options.output.empty()) check_map_name(options.output);
+  io::refuse_replacing_results(options.output);
+  if (!options.output.empty()) formats::check_map_name(options.output);
   SheetFile sheet{options.sheet, read_map_file(options.sheet, origin_option("crack", options.origin))};
   geometry::Map& map = sheet.map;
   if (options.unites) {
-    const std::string ledger = unite_map(options.sheet, map);
+    const std::string ledger = formats::unite_map(options.sheet, map, say_note);
     if (!options.output.empty()) write_map_file(options.output, map);
     print_data(ledger + "\n");
     return say_place(options.sheet, map, !options.origin.empty());

@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "brash/analysis/closed_forms.hpp"
+#include "brash/analysis/tables.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/simulation/scales.hpp"
-#include "closed_forms.hpp"
 #include "messages.hpp"
-#include "origin_text.hpp"
 #include "stats_commands.hpp"
 #include "table.hpp"
 
@@ -34,13 +34,14 @@ void add_loads_command(CLI::App& app) {
   command->footer("Example: brash loads experiments/validation/cone.toml");
   command->callback([options] {
     const model::Case resolved = io::read_case(options->case_file, options->overrides);
-    ordered_json loads = closed_form_loads(resolved);
-    add_origin(io::origin_of(resolved), loads);
+    ordered_json loads = analysis::closed_form_loads(resolved);
+    analysis::add_origin(io::origin_of(resolved), loads);
     const std::vector<model::Warning> warnings = simulation::derived_scales(resolved).warnings;
     loads["warnings"] = ordered_json::array();
     for (const model::Warning& warning : warnings)
       loads["warnings"].push_back({{"id", warning.id}, {"text", warning.text}});
-    print_data(options->json ? loads.dump(2) + "\n" : escaped_lines(origin_text(loads) + loads_text(loads)));
+    print_data(options->json ? loads.dump(2) + "\n"
+                             : escaped_lines(analysis::origin_text(loads) + analysis::loads_text(loads)));
     print_warnings(warnings);
   });
 }

@@ -18,6 +18,8 @@ void show(const std::string& text) noexcept {
 
 void say_text(const std::string& text) { show(escaped_lines(text)); }
 
+void say_note(const std::string& note) { say("note: {}\n", note); }
+
 void print_text(const std::string& text) { fmt::print("{}", escaped_lines(text)); }
 
 void print_data(const std::string& text) { fmt::print("{}", escaped_as_unicode(text)); }

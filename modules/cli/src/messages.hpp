@@ -17,6 +17,9 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
   say_text(fmt::format(format, std::forward<Values>(values)...));
 }
 
+/// Says a note of a reader of files on stderr.
+void say_note(const std::string& note);
+
 /// Prints a result for people on stdout; characters that control a terminal are escaped.
 /// @throws std::system_error when it cannot be written, here and below.
 void print_text(const std::string& text);

@@ -7,7 +7,7 @@
 #include "brash/campaign/subprocess.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
-#include "file_name.hpp"
+#include "brash/io/file_names.hpp"
 
 namespace brash::cli {
 namespace {
@@ -23,7 +23,7 @@ std::optional<campaign::Printed> converted(const std::string& drawing) {
 
 }  // namespace
 
-void check_picture_name(const std::string& path) { check_ending(path, "a picture", {".svg", ".png"}); }
+void check_picture_name(const std::string& path) { io::check_ending(path, "a picture", {".svg", ".png"}); }
 
 void write_picture(const std::string& path, const std::string& svg) {
   if (!path.ends_with(".png")) return write_file(path, svg);

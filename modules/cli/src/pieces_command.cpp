@@ -2,12 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "brash/analysis/pieces.hpp"
 #include "brash/core/input_file.hpp"
-#include "file_name.hpp"
+#include "brash/io/file_names.hpp"
+#include "brash/report/pictures.hpp"
 #include "geometry_commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
-#include "pieces.hpp"
 
 namespace brash::cli {
 namespace {
@@ -19,16 +20,16 @@ struct PiecesOptions {
 
 void pieces(const PiecesOptions& options) {
   refuse_overwriting(options.picture, {options.file});
-  refuse_replacing_results(options.picture);
+  io::refuse_replacing_results(options.picture);
   check_picture_name(options.picture);
-  const PieceSizes sizes = read_piece_sizes(options.file, options.born);
-  const PieceAnalysis analysis = analyse_pieces(sizes);
-  if (!options.picture.empty()) write_picture(options.picture, pieces_picture(sizes, analysis));
-  const nlohmann::ordered_json json = pieces_json(sizes, analysis);
+  const analysis::PieceSizes sizes = analysis::read_piece_sizes(options.file, options.born, say_note);
+  const analysis::PieceAnalysis analysis = analysis::analyse_pieces(sizes);
+  if (!options.picture.empty()) write_picture(options.picture, report::pieces_picture(sizes, analysis));
+  const nlohmann::ordered_json json = analysis::pieces_json(sizes, analysis);
   if (options.json)
     print_data(json.dump(2) + "\n");
   else
-    print_text(pieces_text(json));
+    print_text(analysis::pieces_text(json));
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/io/file_names.hpp"
+#include "brash/recording/run_folder.hpp"
+#include "brash/report/report.hpp"
 #include "commands.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
-#include "report_source.hpp"
-#include "run_folder.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {
@@ -18,26 +18,26 @@ namespace {
 
 struct ReportOptions {
   std::string directory, other, measured, output = "comparison.html";
-  HistoryChoice of_measured;
+  analysis::HistoryChoice of_measured;
 };
 
 report::RunSource run_in(const std::string& directory) {
-  expect_manifest(directory);
-  if (report::is_campaign(directory))
+  report::expect_manifest(directory);
+  if (recording::is_campaign(directory))
     throw InputError(Complaint{directory, "holds a campaign", "the folder of a run",
                                "give a folder under its cases/, or the campaign alone"});
-  return report_source(directory);
+  return report::report_source(directory);
 }
 
 void write(ReportOptions& options) {
-  options.directory = folder_of(options.directory);
-  if (!options.other.empty()) options.other = folder_of(options.other);
-  if (options.other.empty() && options.measured.empty()) return print("{}\n", write_report(options.directory));
+  options.directory = io::folder_of(options.directory);
+  if (!options.other.empty()) options.other = io::folder_of(options.other);
+  if (options.other.empty() && options.measured.empty()) return print("{}\n", report::write_report(options.directory));
   report::RunSource run = run_in(options.directory);
-  if (!options.measured.empty()) run.measured = measured_history(options.measured, options.of_measured);
+  if (!options.measured.empty()) run.measured = report::measured_history(options.measured, options.of_measured);
   if (options.other.empty()) return print("{}\n", report::write_run_report(run));
   refuse_overwriting(options.output, {options.directory + "/run.nc", options.other + "/run.nc", options.measured});
-  refuse_replacing_results(options.output);
+  io::refuse_replacing_results(options.output);
   report::write_comparison(run, run_in(options.other), options.output);
   print("{}\n", options.output);
 }
@@ -59,7 +59,10 @@ void add_report_command(CLI::App& app) {
       ->check(time_span())
       ->needs(measured);
   command->footer("Example: brash report results/validation --measured measured.csv");
-  command->callback([options] { write(*options); });
+  command->callback([options] {
+    options->of_measured.notes = say_note;
+    write(*options);
+  });
 }
 
 }  // namespace brash::cli

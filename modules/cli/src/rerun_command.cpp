@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "brash/analysis/campaign_histories.hpp"
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -16,14 +17,14 @@
 #include "brash/core/workers.hpp"
 #include "brash/failure/model_files.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "brash/recording/inputs.hpp"
-#include "campaign_histories.hpp"
+#include "brash/recording/run_folder.hpp"
+#include "brash/report/report.hpp"
 #include "commands.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
-#include "run_folder.hpp"
 
 namespace brash::cli {
 namespace {
@@ -206,16 +207,16 @@ recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {
 }
 
 void run_into(const std::string& folder, const recording::Inputs& inputs) {
-  const FolderLock lock = open_run_folder(folder);
-  refuse_replacing(folder);
-  const NewResults results(folder);
+  const FolderLock lock = recording::open_run_folder(folder);
+  recording::refuse_replacing(folder);
+  const recording::NewResults results(folder);
   const auto begun = [&] {
     recording::expect_unchanged(inputs);
     results.begin();
   };
   const simulation::Run run = run_with_progress(inputs.resolved, {.begun = begun, .threads = Workers::available()});
   if (!run.complete) throw Interrupted("interrupted; nothing is kept");
-  results.write(inputs, run);
+  report::write_results(results, inputs, run);
 }
 
 struct RerunOptions {
@@ -327,7 +328,7 @@ Changes changes_in_campaign(const std::string& path, const json& manifest) {
                                "the manifest.json in the folder of a campaign", "copy it again"});
   }
   if (has_table)
-    for (const auto& [setting, cases] : done_cases(folder.string()))
+    for (const auto& [setting, cases] : analysis::done_cases(folder.string()))
       for (const std::string& id : cases)
         changes.expect("case " + id, "done", fs::exists(folder / "cases" / id / "manifest.json") ? "done" : "gone");
   // An input that has changed has its own line, and would change every case.
@@ -382,7 +383,7 @@ void add_rerun_command(CLI::App& app) {
       "The case comes from the manifest. Exit code 2: something has changed; 1: the results differ.\n"
       "Example: brash rerun results/cone");
   command->callback([options] {
-    options->manifest = file_in(options->manifest, {"manifest.json"});
+    options->manifest = io::file_in(options->manifest, {"manifest.json"});
     rerun(*options);
   });
 }

@@ -12,6 +12,7 @@
 #include "brash/core/workers.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
+#include "brash/recording/run_folder.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
@@ -19,7 +20,6 @@
 #include "messages.hpp"
 #include "progress.hpp"
 #include "requests_to_end.hpp"
-#include "run_folder.hpp"
 #include "table.hpp"
 
 namespace brash::cli {
@@ -51,12 +51,12 @@ void run_case(const RunOptions& options) {
   const model::Case& resolved = inputs.resolved;
   print_warnings(simulation::derived_scales(resolved).warnings);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
-  const FolderLock lock = open_run_folder(directory);
+  const FolderLock lock = recording::open_run_folder(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
   const bool goes_on = options.resume && std::filesystem::exists(checkpoint);
-  if (!goes_on && !options.replace) refuse_replacing(directory, ", or take --replace");
+  if (!goes_on && !options.replace) recording::refuse_replacing(directory, ", or take --replace");
   if (options.resume && !goes_on) say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
-  const NewResults results(directory);
+  const recording::NewResults results(directory);
   simulation::RunOptions how{.begun =
                                  [&] {
                                    recording::expect_unchanged(inputs);
@@ -90,7 +90,7 @@ void run_case(const RunOptions& options) {
     throw Interrupted(fmt::format(
         "{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory, reached));
   }
-  results.write(inputs, run);
+  report::write_results(results, inputs, run);
   if (view) view->end(fmt::format("The run is done. Its report is {}/report.html.", directory));
   print("{}\nresults in {}\n", run_table(resolved, run), directory);
   if (report::has_page()) print("report in  {}/report.html\n", directory);

@@ -10,45 +10,45 @@
 #include <functional>
 #include <memory>
 
+#include "brash/analysis/campaign_histories.hpp"
+#include "brash/analysis/history_statistics.hpp"
+#include "brash/analysis/load_history.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
+#include "brash/io/run_summary.hpp"
+#include "brash/report/pictures.hpp"
 #include "brash/simulation/warnings.hpp"
-#include "campaign_histories.hpp"
-#include "file_name.hpp"
-#include "history_statistics.hpp"
-#include "history_tables.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
-#include "prepared_history.hpp"
-#include "run_summary.hpp"
-#include "stats_picture.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {
 namespace {
 
+using analysis::LoadHistory;
 using nlohmann::ordered_json;
 
 struct StatsOptions {
   std::vector<std::string> files, columns;
   std::string spectrum, events, exceedance, cycles, picture, phase = "zero";
-  HistoryChoice choice;
-  Preparation preparation;
-  StatisticsSettings settings;
+  analysis::HistoryChoice choice;
+  analysis::Preparation preparation;
+  analysis::StatisticsSettings settings;
   double threshold = 0.0, dead_band = 0.0, to = 0.0;
   bool json = false;
 };
 
 /// Writes the table of each history into one file; of several, each line begins with file and column.
 void write_table(const std::string& path, const std::vector<LoadHistory>& loads,
-                 const std::function<CsvTable(const LoadHistory&)>& table_of) {
+                 const std::function<analysis::CsvTable(const LoadHistory&)>& table_of) {
   if (path.empty()) return;
   std::string text;
   for (const LoadHistory& load : loads) {
-    const CsvTable table = table_of(load);
+    const analysis::CsvTable table = table_of(load);
     const std::string key = loads.size() > 1 ? fmt::format("{},{},", load.file, load.column) : "";
     if (text.empty()) text = (key.empty() ? "" : "file,column,") + table.names;
     for (std::size_t at = 0; at < table.lines.size();) {
@@ -62,19 +62,19 @@ void write_table(const std::string& path, const std::vector<LoadHistory>& loads,
 
 void write_outputs(const StatsOptions& o, const std::vector<LoadHistory>& loads) {
   const auto& dead_band = o.settings.extremes.dead_band;
-  write_table(o.spectrum, loads, [&](const auto& load) { return spectrum_table(load, o.settings.segment); });
-  write_table(o.events, loads, [&](const auto& load) { return events_table(load, dead_band); });
-  write_table(o.exceedance, loads, [&](const auto& load) { return exceedance_table(load, dead_band); });
-  write_table(o.cycles, loads, [](const auto& load) { return cycles_table(load); });
-  if (!o.picture.empty()) write_picture(o.picture, stats_picture(loads.front(), o.settings));
+  write_table(o.spectrum, loads, [&](const auto& load) { return analysis::spectrum_table(load, o.settings.segment); });
+  write_table(o.events, loads, [&](const auto& load) { return analysis::events_table(load, dead_band); });
+  write_table(o.exceedance, loads, [&](const auto& load) { return analysis::exceedance_table(load, dead_band); });
+  write_table(o.cycles, loads, [](const auto& load) { return analysis::cycles_table(load); });
+  if (!o.picture.empty()) write_picture(o.picture, report::stats_picture(loads.front(), o.settings));
 }
 
 /// Refuses outputs that would replace an input, a result or each other, before anything is written.
 void check_outputs(const StatsOptions& o) {
   const std::vector<std::string> outputs{o.spectrum, o.events, o.exceedance, o.cycles, o.picture};
-  refuse_equal_names(outputs);
+  io::refuse_equal_names(outputs);
   for (const std::string& out : outputs) {
-    refuse_replacing_results(out);
+    io::refuse_replacing_results(out);
     // The cracks of a run lie beside its history.
     for (const std::string& file : o.files)
       refuse_overwriting(out, {file, (std::filesystem::path(file).parent_path() / "events.csv").string()});
@@ -88,22 +88,22 @@ void check_outputs(const StatsOptions& o) {
 
 /// The start of a run's statistics [s], if --from does not replace it.
 std::optional<double> start_of_summary(const StatsOptions& o, const std::string& file) {
-  return o.choice.has_from ? std::nullopt : start_beside(file);
+  return o.choice.has_from ? std::nullopt : io::start_beside(file);
 }
 
 std::vector<LoadHistory> histories_of(const StatsOptions& o) {
   std::vector<LoadHistory> loads;
   for (const std::string& file : o.files) {
-    HistoryChoice choice = o.choice;
-    begin_as_run(choice, file);
-    for (LoadHistory& load : read_histories(file, choice, o.columns))
-      loads.push_back(o.preparation.any() ? prepared(load, o.preparation) : std::move(load));
+    analysis::HistoryChoice choice = o.choice;
+    analysis::begin_as_run(choice, file);
+    for (LoadHistory& load : analysis::read_histories(file, choice, o.columns))
+      loads.push_back(o.preparation.any() ? analysis::prepared(load, o.preparation) : std::move(load));
   }
   return loads;
 }
 
 void run_stats(StatsOptions& o) {
-  for (std::string& file : o.files) file = history_file(file);
+  for (std::string& file : o.files) file = analysis::history_file(file);
   if (!std::isfinite(o.threshold))
     throw InputError(Complaint{o.files.front(), fmt::format("--threshold {} is no load", o.threshold),
                                "a finite number in the unit of the column", "give a number"});
@@ -113,15 +113,15 @@ void run_stats(StatsOptions& o) {
   ordered_json all = ordered_json::array();
   std::string text;
   for (const LoadHistory& load : loads) {
-    ordered_json out = statistics_of(load, o.settings);
-    if (o.preparation.any()) out["preparation"] = preparation_json(o.preparation);
+    ordered_json out = analysis::statistics_of(load, o.settings);
+    if (o.preparation.any()) out["preparation"] = analysis::preparation_json(o.preparation);
     if (const auto start = start_of_summary(o, load.file)) {
       out["statistics_from"] = *start;
       if (!simulation::bear_interval(load.warnings)) out["mean_95"] = {nullptr, nullptr};  // as in the summary
     }
-    for (const std::string& warning : run_warnings({&load, 1})) out["warnings"].push_back(warning);
+    for (const std::string& warning : analysis::run_warnings({&load, 1})) out["warnings"].push_back(warning);
     if (loads.size() > 1) text += load.file + "\n";
-    text += statistics_text(out);
+    text += analysis::statistics_text(out);
     if (loads.size() > 1) out = ordered_json{{"file", load.file}, {"statistics", out}};
     all.push_back(std::move(out));
   }
@@ -198,6 +198,7 @@ void add_stats_command(CLI::App& app) {
   command->callback([options, command] {
     StatsOptions& o = *options;
     o.choice.has_from = command->count("--from") > 0;
+    o.choice.notes = say_note;
     if (command->count("--to") > 0) o.choice.to = o.to;
     if (command->count("--threshold") > 0) o.settings.extremes.threshold = o.threshold;
     if (command->count("--dead-band") > 0) o.settings.extremes.dead_band = o.dead_band;

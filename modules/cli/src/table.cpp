@@ -6,20 +6,22 @@
 #include <array>
 #include <cmath>
 
+#include "brash/analysis/closed_forms.hpp"
+#include "brash/analysis/history_statistics.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/simulation/warnings.hpp"
-#include "closed_forms.hpp"
-#include "history_statistics.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
 namespace {
 
+using analysis::TableUnit;
+
 /// The unit of a run's loads.
 TableUnit load_unit(const simulation::RunSummary& s) {
   const std::array loads{s.mean_horizontal_whole, s.mean_vertical_whole, s.maximum_horizontal_whole,
                          s.maximum_vertical_whole};
-  return unit_for(loads, "N");
+  return analysis::unit_for(loads, "N");
 }
 
 std::string load_row(const simulation::RunSummary& run, const char* name, const statistics::Summary& s,
@@ -53,7 +55,7 @@ std::string loads(const simulation::RunSummary& s) {
   text += load_row(s, "horizontal", s.horizontal, s.horizontal_split, unit);
   text += load_row(s, "vertical", s.vertical, s.vertical_split, unit);
   if (!s.horizontal.long_enough && simulation::bears_interval(s, s.horizontal))
-    text += fmt::format("  note: the history is {}\n", kTooShort);
+    text += fmt::format("  note: the history is {}\n", analysis::kTooShort);
   return text + whole;
 }
 
@@ -85,11 +87,11 @@ std::string difference(const simulation::RunSummary& s, double measured, const T
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
 std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
-  const auto croasdale = croasdale_of(resolved);
-  const auto ralston = ralston_of(resolved, standards::Yield::kTresca);
+  const auto croasdale = analysis::croasdale_of(resolved);
+  const auto ralston = analysis::ralston_of(resolved, standards::Yield::kTresca);
   const std::array largest{croasdale ? croasdale->horizontal : 0.0, ralston ? ralston->horizontal : 0.0,
                            resolved.reference.mean_horizontal.value_or(0.0)};
-  const TableUnit unit = unit_for(largest, "N");
+  const TableUnit unit = analysis::unit_for(largest, "N");
   std::string text = fmt::format("for comparison, horizontal{} [{}]\n",
                                  resolved.structure.legs.size() < 2 ? "" : ", on one leg alone", unit.name);
   if (croasdale)
@@ -166,7 +168,7 @@ std::string energy(const simulation::EnergyBalance& e) {
   const double share = e.work != 0.0 ? 100.0 * e.error / e.work : 0.0;
   const std::array energies{e.work,    e.kinetic_energy,    e.potential_energy, e.removed_energy, l.edge,
                             l.bending, l.structure_contact, l.sheet_contact,    l.floe_contact,   l.drag};
-  const TableUnit unit = unit_for(energies, "J");
+  const TableUnit unit = analysis::unit_for(energies, "J");
   std::string text = fmt::format(
       "energy [{}]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} "
       "crushing the\n    sheet's edge + {:.1f} bending it + contacts and water below + {:.1f} with ice that was "

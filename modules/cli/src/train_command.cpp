@@ -20,10 +20,10 @@
 #include "brash/database/edge_database.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/failure/hump_sample.hpp"
+#include "brash/io/file_names.hpp"
 #include "brash/meta_model/training.hpp"
 #include "edge_card.hpp"
 #include "failure_rows.hpp"
-#include "file_name.hpp"
 #include "messages.hpp"
 #include "profile_card.hpp"
 
@@ -84,10 +84,10 @@ std::string write_card(const std::string& output, const std::string& text) {
 
 /// Refuses a model that has no folder, that has the name of its card, or by which an input or a result would be lost.
 void check_output(const std::string& output, std::initializer_list<std::string> inputs) {
-  refuse_missing_folder(output);
+  io::refuse_missing_folder(output);
   for (const std::string& file : {output, card_of(output)}) {
     refuse_overwriting(file, inputs);
-    refuse_replacing_results(file);
+    io::refuse_replacing_results(file);
   }
   if (card_of(output) == output)
     throw InputError(Complaint{output, "is the name of the model's card, which is written beside it",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "brash/analysis/closed_forms.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/failure/criterion.hpp"
@@ -11,7 +12,6 @@
 #include "brash/failure/edge_responses.hpp"
 #include "brash/failure/response_model.hpp"
 #include "case.hpp"
-#include "closed_forms.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
@@ -265,7 +265,7 @@ class MovingEdge {
   MovingEdge(const Case& c, const std::string& model)
       : ice_(ice_of(c)),
         mass_ratio_(failure::mass_ratio(ice_, c.resolved.ice.density)),
-        slope_(cli::waterline_slope(c.resolved)),
+        slope_(analysis::waterline_slope(c.resolved)),
         friction_(c.resolved.ice.friction_structure),
         edges_(model) {
     if (!(slope_ < 0.5 * kPi))

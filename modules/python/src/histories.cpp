@@ -6,23 +6,23 @@
 #include <cmath>
 #include <optional>
 
+#include "brash/analysis/design.hpp"
+#include "brash/analysis/history_comparison.hpp"
+#include "brash/analysis/history_statistics.hpp"
+#include "brash/analysis/load_history.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/series.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/rainflow.hpp"
 #include "convert.hpp"
-#include "design.hpp"
-#include "extreme_statistics.hpp"
-#include "history_comparison.hpp"
-#include "history_statistics.hpp"
-#include "load_history.hpp"
+#include "notes.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
 
 namespace brash::python {
 namespace {
 
-using cli::LoadHistory;
+using analysis::LoadHistory;
 using nlohmann::ordered_json;
 using namespace py::literals;
 
@@ -134,14 +134,15 @@ std::vector<LoadHistory> loads_of(const py::object& histories) {
 
 py::object read(const py::object& path, const std::string& column, std::optional<double> start,
                 std::optional<double> end, double dt, const std::string& as) {
-  cli::HistoryChoice choice;
+  analysis::HistoryChoice choice;
   choice.column = column;
   choice.has_from = start.has_value();
   choice.from = start.value_or(0.0);
   choice.to = end;
   choice.dt = dt;
+  choice.notes = say_note;
   const std::string name = path_of(path);
-  const LoadHistory load = unlocked([&] { return cli::read_history(cli::history_file(name), choice); });
+  const LoadHistory load = unlocked([&] { return analysis::read_history(analysis::history_file(name), choice); });
   const py::array times = to_array(load.history.times), values = to_array(load.history.values);
   if (as == "numpy") return py::make_tuple(times, values);
   if (as == "pandas") {
@@ -185,8 +186,8 @@ py::object extremes(const py::object& histories, double return_period, double bl
     return from_json(unlocked([&] {
       statistics::GoodnessOfFit goodness;
       ordered_json out;
-      cli::add_extremes(statistics::analyse_extremes(statistics::extreme_values(records, settings), settings, goodness),
-                        out);
+      analysis::add_extremes(
+          statistics::analyse_extremes(statistics::extreme_values(records, settings), settings, goodness), out);
       return out.dump();
     }));
   });
@@ -195,14 +196,14 @@ py::object extremes(const py::object& histories, double return_period, double bl
 py::object stats(const py::object& history, double return_period, const std::vector<double>& exponents,
                  double frequency, bool extrapolate) {
   return with_arguments_of("stats", [&] {
-    cli::StatisticsSettings settings;
+    analysis::StatisticsSettings settings;
     settings.extremes = extreme_settings(return_period, 0.0, std::nullopt, std::nullopt, extrapolate);
     for (const double m : exponents) require(m >= 1.0 && m <= 20.0, "exponents", m, "from 1 to 20");
     require(frequency > 0.0 && frequency < 1e9, "frequency", frequency, "in (0, 1e9) Hz");
     settings.exponents = exponents;
     settings.frequency = frequency;
     const LoadHistory load = load_of(history);
-    return from_json(unlocked([&] { return cli::statistics_of(load, settings).dump(); }));
+    return from_json(unlocked([&] { return analysis::statistics_of(load, settings).dump(); }));
   });
 }
 
@@ -214,7 +215,7 @@ py::dict events(const py::object& history, std::optional<double> dead_band) {
     if (statistics::acts_downwards(m.mean, m.minimum, m.maximum) &&
         PyErr_WarnEx(PyExc_UserWarning, statistics::kNegativeMean, 1) < 0)
       throw py::error_already_set();
-    const auto found = cli::events_of(load, dead_band);
+    const auto found = analysis::events_of(load, dead_band);
     py::dict out;
     const auto add = [&](const char* name, auto member) {
       std::vector<double> column;
@@ -251,7 +252,7 @@ py::object compare(const py::object& run, const py::object& measured) {
   return with_arguments_of("compare", [&] {
     const std::vector<LoadHistory> first = loads_of(run), second = loads_of(measured);
     expect_same_unit(first.front(), second.front());
-    return from_json(unlocked([&] { return cli::compare_histories(first, second).dump(); }));
+    return from_json(unlocked([&] { return analysis::compare_histories(first, second).dump(); }));
   });
 }
 
@@ -259,7 +260,7 @@ py::object design(const py::object& campaign, const std::string& column, const s
                   const py::object& scatter, const std::vector<double>& annual, const std::vector<double>& exponents,
                   double frequency, const std::string& where, bool extrapolate) {
   return with_arguments_of("design", [&] {
-    cli::DesignSettings asked;
+    analysis::DesignSettings asked;
     if (hours.empty() || annual.empty()) throw InputError("design: hours and annual need a number each at least");
     for (const double h : hours) require(h >= 1e-3 && h <= 1e9, "hours", h, "from 1e-3 to 1e9");
     for (const double p : annual) require(p >= 1e-9 && p <= 0.5, "annual", p, "from 1e-9 to 0.5");
@@ -271,11 +272,13 @@ py::object design(const py::object& campaign, const std::string& column, const s
     asked.frequency = frequency;
     asked.extremes.extrapolate = extrapolate;
     if (!scatter.is_none()) asked.scatter = path_of(scatter);
-    cli::HistoryChoice choice;
+    analysis::HistoryChoice choice;
     choice.column = column;
+    choice.notes = say_note;
     const std::string folder = path_of(campaign);
-    return from_json(unlocked(
-        [&] { return cli::design_of(cli::read_campaign_histories(folder, choice, where), asked).json.dump(); }));
+    return from_json(unlocked([&] {
+      return analysis::design_of(analysis::read_campaign_histories(folder, choice, where), asked).json.dump();
+    }));
   });
 }
 

@@ -2,9 +2,11 @@
 // Maps in projected coordinates, and the sizes of pieces.
 #include <fmt/format.h>
 
+#include "brash/analysis/pieces.hpp"
 #include "brash/geometry/text.hpp"
+#include "brash/report/pictures.hpp"
 #include "convert.hpp"
-#include "pieces.hpp"
+#include "notes.hpp"
 #include "polygons.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
@@ -73,13 +75,14 @@ py::object sizes_of(const py::object& pieces, bool born, bool picture) {
   const bool is_path = py::isinstance<py::str>(pieces) || py::hasattr(pieces, "__fspath__");
   const auto read = [&] {
     const auto path = py::module_::import("os").attr("fspath")(pieces).cast<std::string>();
-    return unlocked([&] { return cli::read_piece_sizes(path, born); });
+    return unlocked([&] { return analysis::read_piece_sizes(path, born, say_note); });
   };
-  const cli::PieceSizes sizes = is_path ? read() : cli::piece_sizes_of(to_polygons(pieces, "pieces"), "polygons");
+  const analysis::PieceSizes sizes =
+      is_path ? read() : analysis::piece_sizes_of(to_polygons(pieces, "pieces"), "polygons");
   if (sizes.areas.empty()) throw InputError("pieces: there are none");
-  const cli::PieceAnalysis analysis = unlocked([&] { return cli::analyse_pieces(sizes); });
-  py::object out = from_json(cli::pieces_json(sizes, analysis).dump());
-  if (picture) out[py::str("picture")] = cli::pieces_picture(sizes, analysis);
+  const analysis::PieceAnalysis analysis = unlocked([&] { return analysis::analyse_pieces(sizes); });
+  py::object out = from_json(analysis::pieces_json(sizes, analysis).dump());
+  if (picture) out[py::str("picture")] = report::pieces_picture(sizes, analysis);
   return out;
 }
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "convert.hpp"
-#include "file_name.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
 
@@ -122,7 +122,7 @@ void add_results(py::module_& m) {
       [](const py::object& path) {
         const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
         const Released release;
-        return io::read_results(cli::file_in(name, {"run.nc"}));
+        return io::read_results(io::file_in(name, {"run.nc"}));
       },
       py::arg("path"), "Reads the run.nc of a run, given by itself or by its folder.");
 }

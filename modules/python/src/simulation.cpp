@@ -14,7 +14,6 @@
 #include <utility>
 #include <variant>
 
-#include "../../cli/src/run_folder.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
@@ -22,6 +21,8 @@
 #include "brash/io/origin.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
+#include "brash/recording/run_folder.hpp"
+#include "brash/report/report.hpp"
 #include "brash/simulation/run.hpp"
 #include "case.hpp"
 #include "convert.hpp"
@@ -204,7 +205,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   const std::string checkpoint = directory + "/checkpoint.nc";
   bool goes_on = false;
   std::optional<FolderLock> lock;
-  std::optional<cli::NewResults> results;
+  std::optional<recording::NewResults> results;
   simulation::RunOptions options;
   if (!directory.empty()) options.checkpoint = recording::checkpoint_file(checkpoint, resume, inputs);
   options.begun = [&] {
@@ -221,13 +222,13 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   {
     const Released release;
     if (!directory.empty()) {
-      lock.emplace(cli::open_run_folder(directory));
+      lock.emplace(recording::open_run_folder(directory));
       results.emplace(directory);
       goes_on = resume && std::filesystem::exists(checkpoint);
-      if (!goes_on && !replace) cli::refuse_replacing(directory, ", or take replace=True");
+      if (!goes_on && !replace) recording::refuse_replacing(directory, ", or take replace=True");
     }
     finished = simulation::run(c.resolved, options);
-    if (finished.complete && results) results->write(inputs, finished);
+    if (finished.complete && results) report::write_results(*results, inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();
   finished.summary.origin = io::origin_of(c.resolved);

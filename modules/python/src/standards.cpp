@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../../cli/src/closed_forms.hpp"
+#include "brash/analysis/closed_forms.hpp"
 #include "brash/standards/inputs.hpp"
 #include "case.hpp"
 #include "convert.hpp"
@@ -151,19 +151,19 @@ void add_standards(py::module_& m) {
       "waterline_angle, speed, thickness, flexural_strength, youngs_modulus, poisson_ratio, friction, ice_density, "
       "water_density.");
   m.def(
-      "croasdale_of", [](const Case& c) { return applicable(cli::croasdale_of(c.resolved)); }, py::arg("case"),
+      "croasdale_of", [](const Case& c) { return applicable(analysis::croasdale_of(c.resolved)); }, py::arg("case"),
       "Croasdale's elastic beam for the structure and ice of a case, without rubble on the slope.");
   m.def(
       "ralston_of",
       [](const Case& c, const std::string& yield_criterion) {
-        return applicable(cli::ralston_of(c.resolved, to_yield(yield_criterion)));
+        return applicable(analysis::ralston_of(c.resolved, to_yield(yield_criterion)));
       },
       py::arg("case"), py::arg("yield_criterion") = "tresca",
       "Ralston's plastic plate for the structure and ice of a case.");
   m.def(
       "lindqvist_of",
       [](const Case& c) {
-        auto load = cli::lindqvist_of(c.resolved);
+        auto load = analysis::lindqvist_of(c.resolved);
         if (!load) throw python::NotApplicable("the case has no section [hull]");
         return applicable(std::move(*load));
       },

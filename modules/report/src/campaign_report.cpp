@@ -44,8 +44,6 @@ model::Origin origin_in_summary(const ordered_json& summary) {
 
 }  // namespace
 
-bool is_campaign(const std::string& directory) { return std::filesystem::exists(directory + "/campaign.csv"); }
-
 std::string write_campaign_report(const std::string& directory) {
   const ordered_json summary = read_json(directory + "/summary.json");
   const ordered_json data{{"format", "brash-report-1"},

@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "brash/analysis/closed_forms.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/series.hpp"
 #include "brash/simulator/session.hpp"
-#include "closed_forms.hpp"
 
 namespace brash::io {
 
@@ -47,7 +47,7 @@ const char* brash_check(const char* toml, const char* name) {
   return said([&] {
     const brash::model::Case resolved = brash::io::parse_case(toml, name);
     auto all = nlohmann::ordered_json::parse(brash::simulator::description(resolved));
-    all["loads"] = brash::cli::closed_form_loads(resolved);
+    all["loads"] = brash::analysis::closed_form_loads(resolved);
     return all.dump();
   });
 }

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "brash/analysis/history_comparison.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
-#include "history_comparison.hpp"
 #include "studies.hpp"
 
 namespace brash::coverage {
@@ -17,8 +17,8 @@ namespace {
 
 using namespace statistics;
 
-std::vector<cli::LoadHistory> records_of(const Process& process, int records, int cycles, RandomStream& stream) {
-  std::vector<cli::LoadHistory> loads;
+std::vector<analysis::LoadHistory> records_of(const Process& process, int records, int cycles, RandomStream& stream) {
+  std::vector<analysis::LoadHistory> loads;
   for (int i = 0; i < records; ++i) loads.push_back(record(process, cycles, stream));
   return loads;
 }
@@ -31,7 +31,7 @@ void add_verdict(const std::string& process, const std::string& name, bool right
 void compare(const Process& process, const std::string& sides, int histories, int cycles, RandomStream& stream,
              Table& table) {
   const auto a = records_of(process, histories, cycles, stream), b = records_of(process, histories, cycles, stream);
-  const auto found = cli::compare_histories(a, b);
+  const auto found = analysis::compare_histories(a, b);
   table.add(process.name, "compare " + sides + ": difference of means", found["mean"]["difference_95"], 0.0);
   for (const char* name : {"mean", "deviation", "mean_peak", "peak_rate"})
     if (found.contains(name) && found[name].contains("ratio_95"))
@@ -46,7 +46,7 @@ void look_for_trend(const Process& process, std::size_t replicates, double truth
   std::vector<std::vector<double>> means(kSettings), high(kSettings);
   for (int s = 0; s < kSettings; ++s)
     for (std::size_t r = 0; r < replicates; ++r) {
-      const cli::LoadHistory load = record(process, kCycles, stream);
+      const analysis::LoadHistory load = record(process, kCycles, stream);
       means[static_cast<std::size_t>(s)].push_back(moments(load.history.values).mean);
       high[static_cast<std::size_t>(s)].push_back(quantiles(load.history.values, std::array{0.99})[0]);
     }

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "brash/analysis/design.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/statistics/random.hpp"
-#include "design.hpp"
 #include "studies.hpp"
 
 namespace brash::coverage {
@@ -58,8 +58,8 @@ double equivalent_load(const Process& process, double cycle) {
   return std::pow(damage_of_cycle(process, kExponent) / cycle * sum / hours, 1.0 / kExponent);
 }
 
-std::vector<cli::SettingHistories> campaign(const Process& process, RandomStream& stream) {
-  std::vector<cli::SettingHistories> settings;
+std::vector<analysis::SettingHistories> campaign(const Process& process, RandomStream& stream) {
+  std::vector<analysis::SettingHistories> settings;
   for (std::size_t s = 0; s < kScales.size(); ++s) {
     settings.push_back({fmt::format("state-{}", s), {{"ice.thickness", kScales[s]}}, {}});
     for (int r = 0; r < kReplicates; ++r)
@@ -78,7 +78,7 @@ void study_design(const Process& process, int records, Table& table) {
   std::string rows = "ice.thickness,hours\n";
   for (std::size_t s = 0; s < kScales.size(); ++s) rows += fmt::format("{},{}\n", kScales[s], kHours[s]);
   write_file(scatter, rows);
-  cli::DesignSettings asked;
+  analysis::DesignSettings asked;
   asked.hours = {kExposure};
   asked.annual = {kAnnual};
   asked.exponents = {kExponent};
@@ -86,7 +86,7 @@ void study_design(const Process& process, int records, Table& table) {
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "design");
     const auto settings = campaign(process, stream);
-    const auto found = cli::design_of(settings, asked).json;
+    const auto found = analysis::design_of(settings, asked).json;
     for (std::size_t s = 0; s < kScales.size(); ++s) {
       const auto& state = found["settings"][s];
       if (const auto& exposed = state["levels"][0]; exposed.contains("level_95"))

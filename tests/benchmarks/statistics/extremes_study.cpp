@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "brash/analysis/history_statistics.hpp"
 #include "brash/statistics/extreme_analysis.hpp"
-#include "fatigue_statistics.hpp"
 #include "studies.hpp"
 
 namespace brash::coverage {
@@ -45,7 +45,7 @@ void study_extremes(const Process& process, int records, Table& table) {
   GoodnessOfFit goodness;
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "extremes");
-    const cli::LoadHistory load = record(process, kCycles, stream);
+    const analysis::LoadHistory load = record(process, kCycles, stream);
     const double memory = autocorrelation_time(load.history, load.even).tau;
     const ExtremeValues values = extreme_values({{&load.history, &load.even, memory}}, {});
     for (const double periods : {4.0, 30.0}) {
@@ -62,15 +62,16 @@ void study_fatigue(const Process& process, int records, Table& table) {
   const double cycle = mean_cycle();
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "fatigue");
-    const cli::LoadHistory load = record(process, kCycles, stream);
+    const analysis::LoadHistory load = record(process, kCycles, stream);
     const double memory = autocorrelation_time(load.history, load.even).tau;
     const double stretch = extreme_values({{&load.history, &load.even, memory}}, {}).block;
-    for (const auto& found : cli::fatigue_json({&load}, {3.0, 5.0, 10.0}, stretch, 1.0)) {
+    for (const auto& found : analysis::fatigue_json({&load}, {3.0, 5.0, 10.0}, stretch, 1.0)) {
       const auto m = found["exponent"].get<double>();
       const double truth = std::pow(damage_of_cycle(process, m) / cycle, 1.0 / m);
       const Warned warned =
-          cli::fatigue_text(nlohmann::ordered_json::array({found})).find("warning") != std::string::npos ? Warned::kYes
-                                                                                                         : Warned::kNo;
+          analysis::fatigue_text(nlohmann::ordered_json::array({found})).find("warning") != std::string::npos
+              ? Warned::kYes
+              : Warned::kNo;
       table.add(process.name, fmt::format("equivalent load at m = {:g}", m), found["equivalent_load_95"], truth,
                 warned);
     }

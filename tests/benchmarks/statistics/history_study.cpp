@@ -4,10 +4,10 @@
 #include <functional>
 #include <vector>
 
+#include "brash/analysis/history_statistics.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/spectrum.hpp"
-#include "history_statistics.hpp"
 #include "studies.hpp"
 
 namespace brash::coverage {
@@ -35,7 +35,7 @@ void study_statistic(const Process& process, const char* name, double truth, int
                      const std::function<double(std::span<const double>)>& statistic) {
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), name);
-    const cli::LoadHistory load = record(process, kCycles, stream);
+    const analysis::LoadHistory load = record(process, kCycles, stream);
     const Summary s = summarise(load.history, load.even);
     BootstrapSettings settings;
     settings.n_resamples = kResamples;
@@ -52,11 +52,11 @@ void study_history(const Process& process, int records, Table& table) {
   const Truth truth = truth_of(process, kSegment);
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "history");
-    const cli::LoadHistory load = record(process, kCycles, stream);
+    const analysis::LoadHistory load = record(process, kCycles, stream);
     const Summary s = summarise(load.history, load.even);
     table.add(process.name, "mean", s.mean_95, mean);
     table.add(process.name, "mean by 20 batches", batch_means_interval(load.history.values, 20), mean);
-    const Spectrum spectrum = cli::spectrum_of(load, kSegment).value();
+    const Spectrum spectrum = analysis::spectrum_of(load, kSegment).value();
     const Interval factors = spectrum_factors(spectrum);
     for (std::size_t k = 1; k + 1 < spectrum.density.size(); ++k)
       table.add(process.name, "spectrum line",
@@ -70,7 +70,7 @@ void study_slow_change(const Process& process, int records, Table& table) {
   const double mean = mean_load(process);
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "slow change");
-    const cli::LoadHistory load = record(process, kManyCycles, stream, 1.0, kSlow);
+    const analysis::LoadHistory load = record(process, kManyCycles, stream, 1.0, kSlow);
     table.add(process.name, "mean under a slow change", summarise(load.history, load.even).mean_95, mean);
     table.add(process.name, "mean under a slow change by 20 batches", batch_means_interval(load.history.values, 20),
               mean);

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "brash/analysis/history_statistics.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
-#include "history_statistics.hpp"
 
 namespace brash::coverage {
 namespace {
@@ -83,8 +83,8 @@ std::vector<Process> processes() {
           {"Pareto 0.15", [](double q) { return 100.0 + 40.0 / 0.15 * (std::pow(q, -0.15) - 1.0); }}};
 }
 
-cli::LoadHistory record(const Process& process, int cycles, RandomStream& stream, double scale, double slow) {
-  cli::LoadHistory load;
+analysis::LoadHistory record(const Process& process, int cycles, RandomStream& stream, double scale, double slow) {
+  analysis::LoadHistory load;
   load.column = "Fx";
   load.history = samples(process, cycles, stream, scale, slow);
   load.even = make_even(load.history);
@@ -108,7 +108,7 @@ double mean_load(const Process& process) {
 Truth truth_of(const Process& process, double segment) {
   RandomStream stream(9, process.name, 0, "truth");
   const int cycles = 100'000;
-  const cli::LoadHistory load = record(process, cycles, stream);
+  const analysis::LoadHistory load = record(process, cycles, stream);
   Truth truth;
   const std::vector<double>& values = load.history.values;
   truth.deviation = std::sqrt(moments(values).variance);
@@ -116,7 +116,7 @@ Truth truth_of(const Process& process, double segment) {
   truth.quantile_50 = q[0];
   truth.quantile_95 = q[1];
   truth.quantile_99 = q[2];
-  truth.spectrum = cli::spectrum_of(load, segment).value().density;
+  truth.spectrum = analysis::spectrum_of(load, segment).value().density;
   return truth;
 }
 

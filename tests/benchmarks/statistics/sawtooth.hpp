@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "brash/analysis/load_history.hpp"
 #include "brash/statistics/random.hpp"
-#include "load_history.hpp"
 
 namespace brash::coverage {
 
@@ -23,8 +23,8 @@ std::vector<Process> processes();
 /// A record of about `cycles` cycles, every 0.05 s. It begins and ends with a whole cycle.
 /// @param scale  factor of all loads.
 /// @param slow   deviation of a factor of the peaks that changes over 10 s, with the mean 1; 0: independent peaks.
-cli::LoadHistory record(const Process& process, int cycles, statistics::RandomStream& stream, double scale = 1.0,
-                        double slow = 0.0);
+analysis::LoadHistory record(const Process& process, int cycles, statistics::RandomStream& stream, double scale = 1.0,
+                             double slow = 0.0);
 
 /// Mean length of a cycle [s], by summation.
 double mean_cycle();

@@ -46,9 +46,6 @@ struct Campaign {
   std::function<void(const std::string& what)> unfit{};
 };
 
-/// Warning of a case whose numbers are those of an earlier replicate to the last digit. Statistics count both once.
-inline constexpr const char* kRepeated = "same-as-a-replicate";
-
 /// Told now and then how far a campaign is, and how many cases are running.
 using Progress = std::function<void(const Counts&, std::size_t n_running)>;
 

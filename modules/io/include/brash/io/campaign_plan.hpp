@@ -88,4 +88,7 @@ CampaignPlan read_campaign_plan(const std::string& path, const PlanOptions& opti
 /// The JSON Schema of a plan.
 std::string plan_schema();
 
+/// Warning of a case whose numbers are those of an earlier replicate to the last digit. Statistics count both once.
+inline constexpr const char* kRepeated = "same-as-a-replicate";
+
 }  // namespace brash::io

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "brash/analysis/load_history.hpp"
 #include "brash/core/vec.hpp"
 #include "brash/model/case.hpp"
+#include "brash/recording/run_folder.hpp"
 
 namespace brash::report {
 
@@ -54,7 +56,24 @@ void write_comparison(const RunSource& run, const RunSource& other, const std::s
 /// Writes report.html of the campaign in `directory`, from its summary.json, campaign.csv and manifest.json.
 std::string write_campaign_report(const std::string& directory);
 
-/// Whether `directory` holds a campaign, and not a run.
-bool is_campaign(const std::string& directory);
+/// The run in `directory` with all that its page shows: closed forms, statistics of each load, load events.
+/// @throws InputError naming a file that is missing or unreadable.
+RunSource report_source(const std::string& directory);
+
+/// The column of `file` that `choice` names, to be drawn over the horizontal load of a run.
+/// @throws InputError as analysis::read_history(), and when the column is in a unit that is not of a force.
+MeasuredHistory measured_history(const std::string& file, const analysis::HistoryChoice& choice);
+
+/// Refuses a folder that is not of a run or a campaign.
+/// @throws InputError when `directory` has no manifest.json.
+void expect_manifest(const std::string& directory);
+
+/// Writes report.html of the run in `directory`, or of the campaign and of every run that it kept whole.
+/// @return its path. @throws InputError naming a file that is missing. @throws RunError in a build without the page.
+std::string write_report(const std::string& directory);
+
+/// Writes everything that a finished run leaves: its plan, results, summary, manifest and, in a build with the page,
+/// the report. @throws StorageError naming the file that cannot be written.
+void write_results(const recording::NewResults& results, const recording::Inputs& inputs, const simulation::Run& run);
 
 }  // namespace brash::report

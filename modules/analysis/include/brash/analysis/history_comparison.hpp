@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "brash/analysis/load_history.hpp"
+
+namespace brash::analysis {
+
+/// A run's history against a measured one: mean, deviation, peaks, distribution and spectrum, each with a 95 % interval
+/// or a test. `differs` names the statistics that differ at 5 %, all tests adjusted together by Holm's method.
+/// `could_hide` has the largest relative difference that each interval still holds.
+nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured);
+
+/// The same of several histories a side, such as the replicates of a campaign. The histories of a side are independent,
+/// so their spread gives the errors, not the correlation within one of them.
+nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs,
+                                         const std::vector<LoadHistory>& measured);
+
+/// Histories one after another with gaps between them.
+/// @throws InputError when their units differ.
+LoadHistory joined(const std::vector<LoadHistory>& loads);
+
+/// The same as text for a reader.
+std::string comparison_text(const nlohmann::ordered_json& comparison);
+
+/// Adds to a comparison how the cases of both sides differ, if a manifest beside the first history of each side names
+/// its case: `inputs_that_differ`, a key with both values each, and `same_run`, the file that both sides have, or
+/// that both would have because one program ran one case. Sides with several replicates may differ in the replicate.
+void add_case_differences(const std::vector<LoadHistory>& runs, const std::vector<LoadHistory>& measured,
+                          nlohmann::ordered_json& comparison);
+
+/// The same as text for a reader; "" where neither is known.
+std::string case_differences_text(const nlohmann::ordered_json& comparison);
+
+}  // namespace brash::analysis

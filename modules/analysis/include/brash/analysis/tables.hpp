@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brash/model/origin.hpp"
+
+namespace brash::analysis {
+
+/// A CSV file of the program's own with names in its first line; cells as text.
+struct TextTable {
+  using Row = std::vector<std::string>;
+
+  std::string path;
+  Row names;
+  std::vector<Row> rows;
+
+  /// @throws InputError naming the columns that there are.
+  std::size_t column(const std::string& name) const;
+};
+
+/// Reads a table. @throws InputError naming file, line and fault.
+/// @param allowed  the expected file, for messages.
+/// @param remedy   how to get such a file.
+TextTable read_text_table(const std::string& path, const std::string& allowed, const std::string& remedy);
+
+/// The finite number in a cell; nothing when there is none.
+std::optional<double> number_in(const std::string& cell);
+
+/// Adds the preset and the program behind a table to its JSON, under `origin`; nothing for a measurement.
+void add_origin(const model::Origin& origin, nlohmann::ordered_json& table);
+
+/// The same as a line of the table's text, after `before`; "" without an origin.
+std::string origin_text(const nlohmann::ordered_json& table, const std::string& before = "");
+
+}  // namespace brash::analysis

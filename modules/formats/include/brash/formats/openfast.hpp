@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "brash/model/records.hpp"
+
+namespace brash::formats {
+
+/// Where a load history acts in OpenFAST, and from when on.
+struct OpenFastOptions {
+  int version = 5;  ///< of OpenFAST: 4 or 5, which name a line and number the mode differently
+  /// Point of application [m]: x as the ice drifts, z upwards, from the structure's origin in the waterplane.
+  Vec3 point{};
+  double from = 0.0;  ///< time of the run that becomes 0 [s]
+  double ramp = 0.0;  ///< the load grows linearly from zero in this time after `from` [s]
+};
+
+/// The forces and moments of a run as OpenFAST reads them: time, FX, FY, FZ, MX, MY, MZ, about the point. The last row
+/// is one step after the run and has no load, since OpenFAST holds the last row for ever.
+/// @param loads  about the structure's origin; at least one after options.from.
+std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options);
+
+/// The file of OpenFAST's structural control that applies them, in global coordinates.
+/// @param forces_file  its name.
+std::string to_openfast_structural_control(const std::string& forces_file, const OpenFastOptions& options);
+
+}  // namespace brash::formats

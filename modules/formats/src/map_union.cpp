@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "brash/formats/maps.hpp"
+#include "brash/geometry/unite.hpp"
+
+namespace brash::formats {
+namespace {
+
+using geometry::Feature;
+using geometry::Map;
+using geometry::Union;
+
+/// The union of all features of a kind, whose polygons have been checked.
+Union united(const Map& map, const std::string& kind) {
+  std::vector<Feature> features;
+  std::ranges::copy_if(map.features, std::back_inserter(features), [&](const Feature& f) { return f.kind == kind; });
+  return geometry::unite(geometry::polygons_of(features)).value();
+}
+
+void add(const Union& part, Union& sum) {
+  sum.given += part.given;
+  sum.united += part.united;
+  sum.overlap += part.overlap;
+  sum.snap += part.snap;
+  sum.n_rounded += part.n_rounded;
+}
+
+std::string ledger_text(const Union& sum, const Map& map) {
+  nlohmann::ordered_json json;
+  const auto put = [&](const char* name, geometry::ExactArea area) { json[name] = area.to_string(); };
+  put("given", sum.given);
+  put("united", sum.united);
+  put("overlap", sum.overlap);
+  put("snap", sum.snap);
+  put("missing", sum.missing());
+  json["closes"] = sum.closes();
+  json["n_rounded"] = sum.n_rounded;
+  json["n_polygons"] = map.features.size();
+  if (map.origin != geometry::Origin{}) json["origin"] = {map.origin.x.to_string(), map.origin.y.to_string()};
+  return json.dump(2);
+}
+
+}  // namespace
+
+std::string unite_map(const std::string& path, Map& map, const io::Notes& notes) {
+  for (std::size_t i = 0; i < map.features.size(); ++i)
+    if (const std::string fault = geometry::fault_of(map.features[i].polygon); !fault.empty())
+      refuse_polygons(fmt::format("{}, polygon {}", path, i + 1), fault);
+  const auto has_own_ice = [](const Feature& f) { return f.thickness || f.flexural_strength; };
+  if (notes && std::ranges::any_of(map.features, has_own_ice))
+    notes(path + ": left out: thickness and flexural_strength, since a union may join floes of different ice");
+  Union sum;
+  std::vector<Feature> features;
+  for (const std::string kind : {"sheet", "floe"}) {
+    const Union part = united(map, kind);
+    add(part, sum);
+    for (const geometry::Polygon& polygon : part.polygons)
+      features.push_back({polygon, kind, static_cast<std::int64_t>(features.size())});
+  }
+  map.features = std::move(features);
+  return ledger_text(sum, map);
+}
+
+}  // namespace brash::formats

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/analysis/design.hpp"
+#include "brash/analysis/history_statistics.hpp"
+#include "brash/analysis/load_history.hpp"
+#include "brash/analysis/pieces.hpp"
+#include "brash/statistics/extreme_analysis.hpp"
+
+namespace brash::report {
+
+/// A picture (SVG) of a history with its load events, and of the checks of its extremes: quantiles against the law,
+/// levels against the return period, the shape against the threshold, and the spectrum.
+std::string stats_picture(const analysis::LoadHistory& load, const analysis::StatisticsSettings& settings);
+
+/// The checks of extremes alone, as charts whose upper left corner is (left, top), 1000 x 320 pixels.
+std::string extremes_charts(const statistics::ExtremeAnalysis& analysis, const std::string& unit, double left,
+                            double top);
+
+/// A picture (SVG) of a comparison: both histories, ratios with their intervals, distributions, spectra with their
+/// bands.
+/// @param comparison  of analysis::compare_histories().
+std::string comparison_picture(const analysis::LoadHistory& run, const analysis::LoadHistory& measured,
+                               const nlohmann::ordered_json& comparison);
+
+/// A picture (SVG) of design loads: levels against the exposure, and against the annual probability.
+std::string design_picture(const analysis::Design& design, const analysis::DesignSettings& asked);
+
+/// A picture (SVG) of pieces: the share of larger pieces with the fits, and the shares of number and area in smaller
+/// pieces.
+std::string pieces_picture(const analysis::PieceSizes& sizes, const analysis::PieceAnalysis& analysis);
+
+}  // namespace brash::report

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/analysis/history_comparison.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "brash/core/constants.hpp"
+#include "brash/statistics/random.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::analysis;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A load about `mean` with a memory of five steps.
+LoadHistory noise(std::uint64_t replicate, std::size_t n, double mean, double deviation, double dt = 0.1) {
+  statistics::RandomStream stream(3, "compare", replicate, "noise");
+  LoadHistory load;
+  load.column = "Fx";
+  double state = stream.normal();
+  for (std::size_t i = 0; i < n; ++i) {
+    state = 0.8 * state + 0.6 * stream.normal();
+    load.history.times.push_back(dt * static_cast<double>(i));
+    load.history.values.push_back(mean + deviation * state);
+  }
+  load.even = statistics::make_even(load.history);
+  return load;
+}
+
+std::vector<std::string> differs(const LoadHistory& run, const LoadHistory& measured) {
+  return compare_histories(run, measured)["differs"].get<std::vector<std::string>>();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(compare_command)
+
+BOOST_AUTO_TEST_CASE(a_history_does_not_differ_from_itself) {
+  const LoadHistory load = noise(1, 2000, 100.0, 20.0);
+  const auto c = compare_histories(load, load);
+  BOOST_TEST(c["differs"].empty());
+  BOOST_TEST(c["mean"]["ratio"].get<double>() == 1.0);
+  BOOST_TEST(c["distribution"]["p"].get<double>() == 1.0);
+  BOOST_TEST(c["spectrum"]["outside_95"].get<double>() == 0.0);
+  BOOST_TEST(contains(comparison_text(c), "no difference at 5 %"));
+}
+
+BOOST_AUTO_TEST_CASE(a_short_history_is_named) {
+  // A memory of five steps: the autocorrelation time is 4.5 of them.
+  const LoadHistory lasting = noise(1, 2000, 100.0, 20.0), brief = noise(2, 100, 100.0, 20.0);
+  BOOST_TEST(!contains(comparison_text(compare_histories(lasting, lasting)), "note:"));
+  const std::string text = comparison_text(compare_histories(brief, lasting));
+  BOOST_TEST(contains(text, "note: the run is shorter than 50 autocorrelation times"));
+  BOOST_TEST(!contains(text, "the measurement is"));
+}
+
+BOOST_AUTO_TEST_CASE(replicates_of_one_process_differ_in_few_cases) {
+  int different = 0;
+  for (std::uint64_t r = 0; r < 100; ++r)
+    different += differs(noise(2 * r, 1500, 100.0, 20.0), noise(2 * r + 1, 1000, 100.0, 20.0)).empty() ? 0 : 1;
+  BOOST_TEST(different <= 12);  // 5 of 100 wanted; three errors of a count above it
+}
+
+BOOST_AUTO_TEST_CASE(what_is_changed_is_what_differs) {
+  const LoadHistory measured = noise(1, 3000, 100.0, 10.0);
+  const auto has = [&](const LoadHistory& run, const char* name) {
+    const auto names = differs(run, measured);
+    return std::ranges::find(names, name) != names.end();
+  };
+  const LoadHistory higher = noise(2, 3000, 110.0, 10.0), wilder = noise(2, 3000, 100.0, 14.0);
+  BOOST_TEST(has(higher, "mean"));
+  BOOST_TEST(has(higher, "distribution"));
+  BOOST_TEST(!has(higher, "deviation"));
+  BOOST_TEST(!has(wilder, "mean"));
+  BOOST_TEST(has(wilder, "deviation"));
+  const LoadHistory faster = noise(2, 3000, 100.0, 10.0, 0.05);
+  BOOST_TEST(has(faster, "peak_rate"));
+  BOOST_TEST(!has(faster, "deviation"));
+}
+
+BOOST_AUTO_TEST_CASE(a_replicate_with_a_shorter_step_weighs_as_its_time) {
+  const auto constant = [](std::size_t n, double dt, double value) {
+    LoadHistory load;
+    for (std::size_t i = 0; i < n; ++i) {
+      load.history.times.push_back(dt * static_cast<double>(i));
+      load.history.values.push_back(value);
+    }
+    load.even = statistics::make_even(load.history);
+    return load;
+  };
+  const LoadHistory all = joined({constant(1000, 0.1, 1.0), constant(4000, 0.025, 3.0)});
+  BOOST_TEST(!all.even.sampling.even);
+  BOOST_TEST(all.even.sampling.gaps.size() == 1U);
+  // 100 s of each value; an end errs by a step.
+  BOOST_TEST(statistics::summarise(all.history, all.even).mean == 2.0, boost::test_tools::tolerance(1e-3));
+}
+
+BOOST_AUTO_TEST_CASE(peaks_of_one_height_are_as_uncertain_as_the_mean_below_them) {
+  LoadHistory teeth;
+  for (int i = 0; i < 400; ++i) {
+    teeth.history.times.push_back(0.1 * i);
+    teeth.history.values.push_back(i % 4 == 0 ? 110.0 : 100.0);
+  }
+  teeth.even = statistics::make_even(teeth.history);
+  const auto other = compare_histories(teeth, noise(1, 2000, 100.0, 10.0))["mean_peak"];
+  BOOST_TEST(std::isfinite(other["ratio_95"][0].get<double>()));
+  BOOST_TEST(std::isfinite(other["ratio_95"][1].get<double>()));
+  const auto itself = compare_histories(teeth, teeth)["mean_peak"];
+  BOOST_TEST(itself["ratio_95"][0].get<double>() < 1.0);
+  BOOST_TEST(itself["ratio_95"][1].get<double>() > 1.0);
+  BOOST_TEST(itself["p"].get<double>() == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

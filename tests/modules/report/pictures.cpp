@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/report/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+
+#include "brash/analysis/history_comparison.hpp"
+#include "brash/core/text.hpp"
+#include "brash/statistics/random.hpp"
+#include "chart.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::report;
+using analysis::LoadHistory;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A load about `mean` with a memory of five steps.
+LoadHistory noise(std::uint64_t replicate, std::size_t n, double mean, double deviation, double dt = 0.1) {
+  statistics::RandomStream stream(3, "compare", replicate, "noise");
+  LoadHistory load;
+  load.column = "Fx";
+  double state = stream.normal();
+  for (std::size_t i = 0; i < n; ++i) {
+    state = 0.8 * state + 0.6 * stream.normal();
+    load.history.times.push_back(dt * static_cast<double>(i));
+    load.history.values.push_back(mean + deviation * state);
+  }
+  load.even = statistics::make_even(load.history);
+  return load;
+}
+
+std::string logarithmic(double lower, double upper) {
+  return Chart(0.0, 0.0, 100.0, 100.0, "", {"size [m]", lower, upper, true}, {"", 0.0, 1.0}).svg();
+}
+
+std::string picture_of(double mean, double amplitude) {
+  LoadHistory load{"Fz", {}, {}, 0};
+  for (int i = 0; i < 4000; ++i) {
+    load.history.times.push_back(0.1 * i);
+    load.history.values.push_back(mean + amplitude * ((i * 37) % 101 - 50) / 50.0);
+  }
+  load.even = statistics::make_even(load.history);
+  return stats_picture(load, {});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(pictures)
+
+BOOST_AUTO_TEST_CASE(a_logarithmic_axis_has_two_numbers_at_least) {
+  const std::string decade = logarithmic(1.66, 7.35), narrow = logarithmic(3.1, 4.6), wide = logarithmic(0.5, 2000.0);
+  BOOST_TEST(contains(decade, ">2</text>"));
+  BOOST_TEST(contains(decade, ">5</text>"));
+  BOOST_TEST(contains(narrow, ">3.5</text>"));
+  BOOST_TEST(contains(narrow, ">4</text>"));
+  for (const char* const power : {">1</text>", ">10</text>", ">1000</text>"}) BOOST_TEST(contains(wide, power));
+  BOOST_TEST(!contains(wide, ">2</text>"));
+}
+
+BOOST_AUTO_TEST_CASE(an_axis_ends_above_its_values_whatever_their_sign) {
+  BOOST_TEST(upper_end(0.0, 100.0) == 105.0);
+  BOOST_TEST(upper_end(-260.0, -100.0) == -92.0);
+  BOOST_TEST(upper_end(0.0, 0.0) == 1.0);
+  BOOST_TEST(upper_end(-5.0, -5.0) == -4.0);
+}
+
+BOOST_AUTO_TEST_CASE(histories_below_zero_and_without_a_load_are_drawn) {
+  // 0 lies on the axis of the loads, and the highest sample below its end.
+  BOOST_TEST(contains(picture_of(-180e3, 80e3), ">0</text>"));
+  BOOST_TEST(contains(picture_of(-180e3, 80e3), ">-200k</text>"));
+  BOOST_TEST(!contains(picture_of(0.0, 0.0), "nan"));
+}
+
+BOOST_AUTO_TEST_CASE(the_picture_holds_both_histories_and_closes_its_elements) {
+  LoadHistory measured = noise(1, 3000, 100.0, 10.0);
+  measured.history.times.erase(measured.history.times.begin() + 500, measured.history.times.begin() + 900);
+  measured.history.values.erase(measured.history.values.begin() + 500, measured.history.values.begin() + 900);
+  measured.even = statistics::make_even(measured.history);
+  const LoadHistory run = noise(2, 1000, 100.0, 10.0);
+  const std::string svg = comparison_picture(run, measured, analysis::compare_histories(run, measured));
+  BOOST_TEST(contains(svg, "run: Fx"));
+  BOOST_TEST(contains(svg, "measured: Fx"));
+  BOOST_TEST(!contains(svg, "nan"));
+  const auto count = [&](const std::string& part) {
+    int n = 0;
+    for (std::size_t at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) ++n;
+    return n;
+  };
+  BOOST_TEST(count("<svg") == count("</svg>"));
+  BOOST_TEST(count("<text") == count("</text>"));
+}
+
+BOOST_AUTO_TEST_CASE(a_line_breaks_where_a_logarithmic_axis_has_no_place) {
+  Chart chart(0.0, 0.0, 100.0, 100.0, "a < b", {"x", 1.0, 3.0}, {"y", 1.0, 100.0, true});
+  chart.line({1.0, 2.0, 2.5, 3.0}, {100.0, 0.0, 10.0, 1.0}, "#000");
+  const std::string svg = chart.svg();
+  BOOST_TEST(contains(svg, "M0.0 0.0M75.0 50.0L100.0 100.0"));
+  BOOST_TEST(contains(svg, "a &lt; b"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
