@@ -186,7 +186,7 @@ def not_finite(text):
 
 
 def physics_fault(folder):
-    """What is wrong with the numbers of a finished run, or ""."""
+    """The fault in the numbers of a finished run, or ""."""
     with open(folder / "history.csv", encoding="utf-8") as file:
         names = next(file).split(",")
         for line in file:
@@ -204,7 +204,8 @@ def physics_fault(folder):
 
 
 def end_early(command_line, folder, draw):
-    """Ends a run of the command in the middle: by an interrupt at a random moment, or killed once it has a checkpoint."""
+    """Ends a run of the command in the middle: by an interrupt at a random moment, or killed once it has a checkpoint.
+    @return whether it heard the interrupt."""
     process = subprocess.Popen(command_line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     if draw.chance(0.5):
         time.sleep(draw.even(0.05, 0.5))
@@ -213,11 +214,17 @@ def end_early(command_line, folder, draw):
         while process.poll() is None and not (folder / "checkpoint.nc").exists():
             time.sleep(0.002)
         process.kill()
-    process.wait(60)
+    try:
+        process.wait(60)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+        return False
+    return True
 
 
 def run_fault(brash, file, folder, seed):
-    """What is wrong with the run of a case and with its continuation after an early end, or ""."""
+    """The fault of the run of a case, or of its continuation after an early end, or ""."""
     whole, parted = folder / "whole", folder / "parted"
     run = [brash, "run", file, "--threads", "1", "-o"]
     done = subprocess.run([*run, whole], capture_output=True, text=True, check=False, timeout=900)
@@ -227,7 +234,8 @@ def run_fault(brash, file, folder, seed):
         return fault
     if 'engine = "bullet"' in file.read_text():
         return ""  # a resumed run with Bullet has other bytes: docs/reference/case-file.md
-    end_early([*run, parted], parted, Draw(seed))
+    if not end_early([*run, parted], parted, Draw(seed)):
+        return "an interrupt was not heard in a minute"
     done = subprocess.run([*run, parted, "--resume"], capture_output=True, text=True, check=False, timeout=900)
     if done.returncode != 0:
         return f"--resume: exit status {done.returncode}: {done.stderr.strip()}"

@@ -70,7 +70,7 @@ std::optional<double> probably_meant(const Ranges& ranges, double value) {
   return std::nullopt;
 }
 
-/// What is wrong with a value of model ice in other ice, and the remedy.
+/// The fault of a value of model ice in other ice, and the remedy.
 std::string of_other_ice(const Plausible& row) {
   return fmt::format(
       "is of model ice, and the thickness is of ice at sea, which has {} ({}): take the ice of a site, as "
@@ -78,7 +78,7 @@ std::string of_other_ice(const Plausible& row) {
       in_words(row.sea, row.unit), row.sea.source);
 }
 
-/// What is wrong with a value of no ice, and the remedy.
+/// The fault of a value that no ice has, and the remedy.
 std::string of_no_ice(const Ranges& ranges, double value) {
   const Plausible& row = ranges.row;
   Range all = row.sea;

@@ -21,9 +21,9 @@ export class CaseStore {
   /** The program's own message; empty where there is none. */
   error = "";
   checked: Promise<void> = Promise.resolve();
-  /** The program's warnings; without it, those of the page. */
+  /** The program's warnings; without it, the warnings of the page. */
   warnings: Warning[] = [];
-  /** What the page did to the text on its own. */
+  /** Of a change that the page made on its own. */
   private note = "";
   private listeners: (() => void)[] = [];
   private timer = 0;
@@ -35,7 +35,7 @@ export class CaseStore {
     this.listeners.push(listener);
   }
 
-  /** @param note  what the page did to the text on its own. */
+  /** @param note  of a change that the page made on its own. */
   set(text: string, name = this.name, note = this.name === name ? this.note : ""): void {
     this.text = text;
     this.name = name;
