@@ -2,9 +2,11 @@
 #include "netcdf_file.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <cstdlib>
 #include <new>
 #include <type_traits>
 
@@ -44,6 +46,13 @@ void ask_for_memory(std::size_t n_bytes) {
 }
 
 }  // namespace
+
+void FileImage::Free::operator()(void* memory) const {
+  std::free(memory);
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
 
 void write_image(const std::string& path, const FileImage& image) {
   write_pieces(path, [&image, done = false](std::string_view& piece) mutable {

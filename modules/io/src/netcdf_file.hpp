@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <set>
@@ -27,11 +26,16 @@ struct Meaning {
 /// The bytes of a file, in the memory of the library that made them: a copy would double the memory of a long run.
 class FileImage {
  public:
-  FileImage(void* memory, std::size_t size) : memory_(memory, &std::free), size_(size) {}
+  FileImage(void* memory, std::size_t size) : memory_(memory), size_(size) {}
   std::string_view bytes() const { return {static_cast<const char*>(memory_.get()), size_}; }
 
  private:
-  std::unique_ptr<void, decltype(&std::free)> memory_;
+  /// Also returns freed memory to the system: a run that has written a state would keep it to its end.
+  struct Free {
+    void operator()(void* memory) const;
+  };
+
+  std::unique_ptr<void, Free> memory_;
   std::size_t size_;
 };
 

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(results_and_states_are_written_without_copies_in_memory) {
   constexpr std::size_t kFrames = 2000, kFloes = 200;
   const RunResults results = results_of_replay(kFrames, kFloes);
   const double bytes = kBytesOfPose * kFrames * kFloes;
-  write_results(scratch.folder().string(), validation(), {});  // what the library takes once
+  write_results(scratch.folder().string(), validation(), {});  // the library takes some memory once
   const double before = peak_memory();
   write_results(scratch.folder().string(), validation(), results);
   write_checkpoint(scratch.path("checkpoint.nc"), validation(), {}, results);
