@@ -65,6 +65,36 @@ def allowed(key):
     return ", ".join((["whole number"] if kind == "integer" else ["text"] if kind == "string" else []) + bounds)
 
 
+OTHER_UNITS = {"kg m-3": "kg/m3", "m s-1": "m/s", "1": ""}
+
+
+def in_words(value, unit):
+    """A value in the unit that keeps it short."""
+    for of, name, size in (("Pa", "GPa", 1e9), ("Pa", "MPa", 1e6), ("Pa", "kPa", 1e3), ("m", "m", 1.0), ("m", "cm", 1e-2)):
+        if unit == of and (value >= size or name == "cm"):
+            return f"{value / size:.4g} {name}"
+    return f"{value:.4g} {OTHER_UNITS.get(unit, unit)}".rstrip()
+
+
+def plausible_ranges(sections):
+    """The plausible values of keys, narrower than the allowed ones, with their sources."""
+    lines = ["## Plausible values", "",
+             "`check` and `run` [warn](warnings.md) of other values, and so does the page of `brash new --page`. Templates have the",
+             "ranges in comments. **Model ice or sea ice:** ice may be model ice if it is at most as thick as model ice in this",
+             "table, or if `reference.source` names a basin, an ice tank, a model test or model ice. Its values may lie in either",
+             "column. All other ice must lie in the column of the sea.", "",
+             "| key | at sea | model ice | sources |", "|---|---|---|---|"]
+    for section, content in sections.items():
+        for name, key in content["properties"].items():
+            if "x-plausible" not in key:
+                continue
+            ranges = [key["x-plausible"].get(column) for column in ("sea", "model")]
+            cells = [f"{in_words(of['least'], key['x-unit'])} to {in_words(of['most'], key['x-unit'])}" if of else "" for of in ranges]
+            sources = "; ".join(f"{title}: {of['source']}" for title, of in zip(("sea", "model ice"), ranges) if of)
+            lines.append(f"| `{section}.{name}` | {' | '.join(cells)} | {sources} |")
+    return lines + [""]
+
+
 def site_value(schema, site, path):
     """The value of a key in the ice of a site; of model ice, the default or the example of the schema."""
     section, name = path.split(".")
@@ -127,7 +157,7 @@ def page():
             meaning = key["description"] + f" Only with the `kind` {kinds}." * bool(kinds)
             lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {meaning} |")
         lines.append("")
-    return "\n".join(lines + site_ice(schema))
+    return "\n".join(lines + plausible_ranges(sections) + site_ice(schema))
 
 
 if sys.argv[1:] == ["--check"]:

@@ -8,6 +8,11 @@ soak.py long BRASH CASE FOLDER [N [SECONDS]]     N [20] seeds of SECONDS [200], 
 soak.py steps BRASH CASE FOLDER [N [SECONDS]]    N [200] generated cases of SECONDS [3] with large steps: no watchdog
                                                  ends a legal run, and no edge takes more work than
                                                  the structure does on it
+soak.py cases BRASH CASE FOLDER [N [FIRST]]      N [10] cases drawn from the schema, from seed FIRST [1] on: they run to their
+                                                 end with finite numbers, a closed ledger and a closed balance of energy,
+                                                 and a run that is interrupted or killed and resumed leaves the same bytes
+soak.py illegal BRASH CASE FOLDER [N [FIRST]]    N [100] drawn cases with one fault each: the message names file, key, value,
+                                                 allowed values and remedy
 """
 import json
 import math
@@ -19,8 +24,13 @@ import shutil
 import statistics
 import subprocess
 import sys
+import time
 from pathlib import Path
 
+from generated import Draw, illegal as spoilt_case, legal
+
+# Of a run, but for those that say when it ran; a build without the viewer has no report.
+SAME = ["run.nc", "history.csv", "events.csv", "summary.json"]
 SHOWN = re.compile(rb"([\d.]+) of [\d.]+ s +\d+ % +(\d+) floes")
 MEGABYTE = 1 << 20
 BYTES_OF_FLOE = 32_000  # twice what one of rubble takes in the world (docs/performance.md, `./dev bench growth`)
@@ -171,9 +181,112 @@ def steps(brash, case, folder, n=200, seconds=3):
     return faults
 
 
+def not_finite(text):
+    raise ValueError(f"{text} in summary.json")
+
+
+def physics_fault(folder):
+    """The fault in the numbers of a finished run, or ""."""
+    with open(folder / "history.csv", encoding="utf-8") as file:
+        names = next(file).split(",")
+        for line in file:
+            if not all(math.isfinite(float(cell)) for cell in line.split(",")):
+                return f"history.csv is not finite: {dict(zip(names, line.split(',')))}"
+    summary = json.loads((folder / "summary.json").read_text(), parse_constant=not_finite)
+    if not summary["ledger"]["closes"]:
+        return f"the ledger does not close: {summary['ledger']}"
+    energy = summary["energy"]
+    terms = [energy["kinetic_energy"], energy["potential_energy"], energy["removed_energy"], energy["energy_error"], *energy["losses"].values()]
+    given = energy["work"] + energy["birth_energy"]
+    # The remainder is one of the terms and is bounded by the watchdog in each step; the sum is then exact but for rounding.
+    largest = max(map(abs, [*terms, energy["work"], energy["birth_energy"]]))
+    return "" if abs(given - sum(terms)) <= 1e-9 * largest else f"the balance of energy does not close: {energy}"
+
+
+def end_early(command_line, folder, draw):
+    """Ends a run of the command in the middle: by an interrupt at a random moment, or killed once it has a checkpoint.
+    @return whether it heard the interrupt."""
+    process = subprocess.Popen(command_line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    if draw.chance(0.5):
+        time.sleep(draw.even(0.05, 0.5))
+        process.send_signal(2)
+    else:
+        while process.poll() is None and not (folder / "checkpoint.nc").exists():
+            time.sleep(0.002)
+        process.kill()
+    try:
+        process.wait(60)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+        return False
+    return True
+
+
+def run_fault(brash, file, folder, seed):
+    """The fault of the run of a case, or of its continuation after an early end, or ""."""
+    whole, parted = folder / "whole", folder / "parted"
+    run = [brash, "run", file, "--threads", "1", "-o"]
+    done = subprocess.run([*run, whole], capture_output=True, text=True, check=False, timeout=900)
+    if done.returncode != 0:
+        return f"exit status {done.returncode}: {done.stderr.strip()}"
+    if fault := physics_fault(whole):
+        return fault
+    if 'engine = "bullet"' in file.read_text():
+        return ""  # a resumed run with Bullet has other bytes: docs/reference/case-file.md
+    if not end_early([*run, parted], parted, Draw(seed)):
+        return "an interrupt was not heard in a minute"
+    done = subprocess.run([*run, parted, "--resume"], capture_output=True, text=True, check=False, timeout=900)
+    if done.returncode != 0:
+        return f"--resume: exit status {done.returncode}: {done.stderr.strip()}"
+    different = [name for name in SAME if (whole / name).read_bytes() != (parted / name).read_bytes()]
+    return f"a resumed run has another {', '.join(different)}" if different else ""
+
+
+def cases(brash, _, folder, n=10, first=1):
+    faults, n_refused = [], 0
+    for seed in range(first, first + n):
+        shutil.rmtree(folder, ignore_errors=True)
+        file, drawn = legal(brash, seed, folder)
+        if file is None:
+            n_refused += 1
+            if "  allowed: " not in drawn or "  remedy:  " not in drawn:
+                faults.append(f"case {seed}: refused without allowed values or remedy: {drawn}")
+            continue
+        if fault := run_fault(brash, file, folder, seed):
+            shutil.copytree(folder, folder.with_name(f"{folder.name}_{seed}"), dirs_exist_ok=True)
+            faults.append(f"case {seed}: {fault}")
+            print(faults[-1], flush=True)
+    print(f"{n} generated cases: {n_refused} refused, {len(faults)} failed")
+    if n_refused > n // 3:
+        faults.append(f"{n_refused} of {n} drawn cases were refused: expected at most a third")
+    return faults
+
+
+def illegal(brash, _, folder, n=100, first=1):
+    faults, drawn = [], None
+    for seed in range(first, first + n):
+        shutil.rmtree(folder, ignore_errors=True)
+        if drawn is None or seed % 10 == 0:
+            file, found = legal(brash, seed, folder)
+            drawn = found if file else drawn
+        if drawn is None:
+            continue
+        file = drawn.write(folder)
+        text, key, words = spoilt_case(seed, drawn)
+        file.write_text(text, encoding="utf-8")
+        done = subprocess.run([brash, "check", file], capture_output=True, text=True, check=False, timeout=120)
+        missing = [word for word in ["case.toml", key, "allowed: ", "remedy:  ", *words] if word not in done.stderr]
+        if done.returncode != 2 or missing:
+            faults.append(f"illegal {seed} of {key}: exit status {done.returncode}, without {missing}: {done.stderr.strip()}")
+            print(faults[-1], flush=True)
+    print(f"{n} illegal cases: {len(faults)} were not refused as they should be")
+    return faults
+
+
 def main():
     what, brash, case, folder = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3], Path(sys.argv[4]).resolve()
-    faults = {"seeds": seeds, "long": long, "steps": steps}[what](brash, case, folder, *map(int, sys.argv[5:7]))
+    faults = {"seeds": seeds, "long": long, "steps": steps, "cases": cases, "illegal": illegal}[what](brash, case, folder, *map(int, sys.argv[5:7]))
     print("\n".join(faults))
     return 1 if faults else 0
 

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Too little memory, and a clock that goes backwards."""
+"""Too little memory, and clocks that go backwards or fast."""
 import json
 import os
 import resource
 import unittest
 
-from program import BRASH, CASE, SANITIZED, FaultTest, call, campaign_command, database_command, run_command
+from program import (BRASH, CASE, SANITIZED, FaultTest, call, campaign_command, database_command, run_command, start,
+                     wait_for)
 
 MEGABYTE = 1 << 20
 
@@ -61,6 +62,17 @@ class Clock(FaultTest):
         self.succeeds(database_command(self.path / "one.nc"))
         self.succeeds(database_command(self.path / "two.nc"), env=backwards)
         self.assertEqual((self.path / "one.nc").read_bytes(), (self.path / "two.nc").read_bytes())
+
+    def test_a_long_run_keeps_a_state_every_two_minutes_whatever_its_interval(self):
+        fast = {**os.environ, "LD_PRELOAD": os.environ["BRASH_FAST_CLOCK"], "ASAN_OPTIONS": "verify_asan_link_order=0"}
+        rare = ("--set", "output.checkpoint_interval=1000")  # of simulated time: longer than the run
+        self.succeeds(run_command(self.path / "whole", *rare))
+        run = start(run_command(self.path / "fast", *rare), env=fast)
+        found = wait_for((self.path / "fast" / "checkpoint.nc").exists, run)
+        run.kill()
+        self.assertTrue(found, f"no state in two minutes of the clock: {run.communicate()[1]}")
+        self.succeeds(run_command(self.path / "fast", *rare, "--resume"))
+        self.assertEqual(self.bytes_of(self.path / "fast"), self.bytes_of(self.path / "whole"))
 
 
 if __name__ == "__main__":

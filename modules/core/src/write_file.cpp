@@ -9,28 +9,36 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "brash/core/error.hpp"
+#include "brash/core/write_pieces.hpp"
 
 namespace brash {
 namespace {
 
-/// Creates `path` with `text` in it. @return 0, or the system's error number.
-int write_part(const std::string& path, const std::string& text) {
+/// Writes all of `text`. @return 0, or the system's error number.
+int write_all(int file, std::string_view text) {
+  for (std::size_t written = 0; written < text.size();) {
+    const ssize_t n = ::write(file, text.data() + written, text.size() - written);
+    if (n > 0)
+      written += static_cast<std::size_t>(n);
+    else if (n == 0)
+      return ENOSPC;
+    else if (errno != EINTR)
+      return errno;
+  }
+  return 0;
+}
+
+/// Creates `path` with all pieces in it. @return 0, or the system's error number.
+int write_part(const std::string& path, const std::function<bool(std::string_view& piece)>& next) {
   // A name may be left by an earlier process of the same number, or be a trap: a file that is there is never opened.
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return errno;
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file < 0) return errno;
   int status = 0;
-  for (std::size_t written = 0; written < text.size() && status == 0;) {
-    const ssize_t n = ::write(file, text.data() + written, text.size() - written);
-    if (n > 0)
-      written += static_cast<std::size_t>(n);
-    else if (n == 0)
-      status = ENOSPC;
-    else if (errno != EINTR)
-      status = errno;
-  }
+  for (std::string_view piece; status == 0 && next(piece);) status = write_all(file, piece);
   if (::close(file) != 0 && status == 0) status = errno;
   return status;
 }
@@ -70,15 +78,22 @@ void publish(const std::string& part, const std::string& path) {
   if (status != 0) refuse(part, path, status);
 }
 
-void write_file(const std::string& path, const std::string& text) {
+void write_pieces(const std::string& path, const std::function<bool(std::string_view& piece)>& next) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const std::string part = part_of(path);
   std::error_code folder_status;
   if (!folder.empty()) std::filesystem::create_directories(folder, folder_status);
   int status = folder_status.value();
-  if (status == 0) status = write_part(part, text);
+  if (status == 0) status = write_part(part, next);
   if (status != 0) refuse(part, path, status);
   publish(part, path);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  write_pieces(path, [&text, done = false](std::string_view& piece) mutable {
+    piece = text;
+    return !std::exchange(done, true);
+  });
 }
 
 void remove_parts(const std::string& folder) {

@@ -146,6 +146,8 @@ std::string case_template(const std::string& ice) {
       text += commented(key_schema.at("description").get<std::string>());
       const std::string of_kinds = kinds.empty() ? "" : " with kind = " + kinds;
       text += commented((required ? "Required" : "Optional") + of_kinds + ": " + allowed_values(key_schema) + ".");
+      if (const std::string plausible = plausible_values(key_schema); !plausible.empty())
+        text += commented(plausible + " " + plausible_sources(key_schema));
       const bool has_default = key_schema.contains("default");
       const auto of_site = site.value_of(section + "." + key);
       if (of_site) text += commented(fmt::format("Ice ({}): {}", site.name(), of_site->source));

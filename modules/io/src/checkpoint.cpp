@@ -13,6 +13,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/core/write_pieces.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/recorded_case.hpp"
 #include "result_tables.hpp"
@@ -85,12 +86,14 @@ void write_values(NetcdfWriter& file, const model::Table& table, const model::Co
     file.variable(variable_of(table, column), dimension_of(table), {column.unit, column.meaning}, values);
   };
   const auto write_outlines = [&](const std::vector<geometry::Polygon>& polygons) {
-    std::vector<Rings> outlines;
-    for (const geometry::Polygon& polygon : polygons) {
-      Rings& rings = outlines.emplace_back(Rings{polygon.outline});
-      rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
-    }
-    write_polygons(file, variable_of(table, column), dimension_of(table), grid_frame(column), outlines);
+    write_polygons<geometry::Point>(file, variable_of(table, column), dimension_of(table), grid_frame(column),
+                                    [&polygons](const auto& take) {
+                                      for (const geometry::Polygon& polygon : polygons) {
+                                        Rings rings{polygon.outline};
+                                        rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+                                        take(rings);
+                                      }
+                                    });
   };
   if (const auto* const polygons = std::get_if<std::vector<geometry::Polygon>>(&column.values))
     write_outlines(*polygons);
@@ -143,7 +146,7 @@ model::Case read_resolved_case(const NetcdfReader& file) {
 /// every damage to it.
 constexpr const char* kSealMark = "brash-sha256:";
 
-std::string seal_of(const std::string& bytes) { return kSealMark + sha256(bytes); }
+std::string seal_of(std::string_view bytes) { return kSealMark + sha256(bytes); }
 
 /// The bytes of the sealed file `path`, without the seal.
 std::string read_sealed(const std::string& path) {
@@ -166,17 +169,27 @@ std::string read_sealed(const std::string& path) {
 }  // namespace
 
 void write_checkpoint(const std::string& path, const model::Checkpoint& checkpoint) {
+  write_checkpoint(path, checkpoint.resolved, checkpoint.tables, checkpoint.results);
+}
+
+void write_checkpoint(const std::string& path, const model::Case& resolved, const std::vector<model::Table>& tables,
+                      const model::RunResults& results) {
   NetcdfWriter file(path);
   file.attribute("format", kFormat);
   file.attribute("source", std::string("brash ") + kVersion);
-  file.attribute("case_name", checkpoint.resolved.name);
-  file.attribute("case", to_toml(checkpoint.resolved));
-  file.attribute("tables", contents(checkpoint.tables).dump());
-  for (const model::Table& table : checkpoint.tables) write_table(file, table);
-  write_tables(file, checkpoint.results);
-  std::string bytes = file.finish();
-  bytes += seal_of(bytes);
-  write_file(path, bytes);
+  file.attribute("case_name", resolved.name);
+  file.attribute("case", to_toml(resolved));
+  file.attribute("tables", contents(tables).dump());
+  for (const model::Table& table : tables) write_table(file, table);
+  write_tables(file, results);
+  const FileImage image = file.finish();
+  const std::string seal = seal_of(image.bytes());
+  const std::string_view pieces[] = {image.bytes(), seal};
+  write_pieces(path, [&pieces, i = std::size_t{0}](std::string_view& piece) mutable {
+    if (i == std::size(pieces)) return false;
+    piece = pieces[i++];
+    return true;
+  });
 }
 
 model::Checkpoint read_checkpoint(const std::string& path) {

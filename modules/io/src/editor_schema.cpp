@@ -18,6 +18,7 @@ void describe(OrderedJson& schema) {
   const auto list = [&](const char* keyword) {
     return fmt::format("{}", fmt::join(schema.at(keyword).get<std::vector<std::string>>(), ", "));
   };
+  if (const std::string plausible = plausible_values(schema); !plausible.empty()) add(plausible);
   if (schema.contains("x-units")) add(fmt::format("Units: {}.", list("x-units")));
   if (const std::string unit = schema.value("x-unit", "1"); unit != "1") add(fmt::format("Unit: {}.", unit));
   if (schema.contains("x-kinds")) add(fmt::format("Only with kind = {}.", list("x-kinds")));

@@ -2,17 +2,18 @@
 #include "netcdf_file.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
 #include <cstdlib>
-#include <memory>
 #include <new>
 #include <type_traits>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/write_pieces.hpp"
 
 namespace brash::io {
 namespace {
@@ -45,6 +46,20 @@ void ask_for_memory(std::size_t n_bytes) {
 }
 
 }  // namespace
+
+void FileImage::Free::operator()(void* memory) const {
+  std::free(memory);
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
+void write_image(const std::string& path, const FileImage& image) {
+  write_pieces(path, [&image, done = false](std::string_view& piece) mutable {
+    piece = image.bytes();
+    return !std::exchange(done, true);
+  });
+}
 
 NetcdfWriter::NetcdfWriter(std::string shown) : shown_(std::move(shown)) {
   ask_for_memory(kFirstBytes);
@@ -95,39 +110,49 @@ void NetcdfWriter::describe(int variable, const std::string& name, const Meaning
 }
 
 template <typename T>
-void NetcdfWriter::write(const std::string& name, const std::string& along, const Meaning& meaning,
-                         const std::vector<T>& values) {
-  n_bytes_ += values.size() * sizeof(T);
+void NetcdfWriter::column(const std::string& name, const std::string& along, const Meaning& meaning, std::size_t length,
+                          std::function<std::vector<T>()> values) {
+  n_bytes_ += length * sizeof(T);
   ask_for_memory(n_bytes_);
-  const int dim = dimension(along, values.size());
+  const int dim = dimension(along, length);
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);
-  if ((std::is_integral_v<T> || repeating_.contains(along)) && values.size() * sizeof(T) >= kLeastDeflated)
+  if ((std::is_integral_v<T> || repeating_.contains(along)) && length * sizeof(T) >= kLeastDeflated)
     check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
   describe(variable, name, meaning);
-  if (!values.empty())
-    pending_.push_back([this, name, variable, values] {
-      const std::size_t start = 0;
-      const std::size_t count = values.size();
-      check(nc_put_vara(file_, variable, &start, &count, values.data()), name);
-    });
+  if (length == 0) return;
+  pending_.push_back([this, name, variable, length, values = std::move(values)] {
+    const std::vector<T> made = values();
+    BRASH_EXPECTS(made.size() == length, name, made.size(), length);
+    const std::size_t start = 0;
+    check(nc_put_vara(file_, variable, &start, &length, made.data()), name);
+  });
 }
+
+template void NetcdfWriter::column(const std::string&, const std::string&, const Meaning&, std::size_t,
+                                   std::function<std::vector<double>()>);
+template void NetcdfWriter::column(const std::string&, const std::string&, const Meaning&, std::size_t,
+                                   std::function<std::vector<std::int64_t>()>);
+template void NetcdfWriter::column(const std::string&, const std::string&, const Meaning&, std::size_t,
+                                   std::function<std::vector<std::int32_t>()>);
+template void NetcdfWriter::column(const std::string&, const std::string&, const Meaning&, std::size_t,
+                                   std::function<std::vector<std::int8_t>()>);
 
 void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                             const std::vector<double>& values) {
-  write(name, dimension, meaning, values);
+  column<double>(name, dimension, meaning, values.size(), [values] { return values; });
 }
 void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                             const std::vector<std::int64_t>& values) {
-  write(name, dimension, meaning, values);
+  column<std::int64_t>(name, dimension, meaning, values.size(), [values] { return values; });
 }
 void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                             const std::vector<std::int32_t>& values) {
-  write(name, dimension, meaning, values);
+  column<std::int32_t>(name, dimension, meaning, values.size(), [values] { return values; });
 }
 void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                             const std::vector<std::int8_t>& values) {
-  write(name, dimension, meaning, values);
+  column<std::int8_t>(name, dimension, meaning, values.size(), [values] { return values; });
 }
 
 void NetcdfWriter::variable(const std::string& name, const std::string& along, const Meaning& meaning,
@@ -156,7 +181,7 @@ void NetcdfWriter::container(const std::string& name, const Meaning& meaning) {
   });
 }
 
-std::string NetcdfWriter::finish() {
+FileImage NetcdfWriter::finish() {
   ask_for_memory(n_bytes_);
   check(nc_enddef(file_), "file");
   for (auto& write : pending_) {
@@ -166,8 +191,7 @@ std::string NetcdfWriter::finish() {
   NC_memio image{};
   const int file = std::exchange(file_, -1);
   check(nc_close_memio(file, &image), "file");
-  const std::unique_ptr<void, decltype(&std::free)> memory(image.memory, &std::free);
-  return {static_cast<const char*>(image.memory), image.size};
+  return {image.memory, image.size};
 }
 
 NetcdfReader::NetcdfReader(const std::string& path)

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,25 @@ struct Meaning {
   std::vector<std::int8_t> flag_values{};                   ///< of an enumeration, with flag_meanings in `more`
   std::vector<std::int32_t> flags{};                        ///< the same, of a variable of whole numbers
 };
+
+/// The bytes of a file, in the memory of the library that made them: a copy would double the memory of a long run.
+class FileImage {
+ public:
+  FileImage(void* memory, std::size_t size) : memory_(memory), size_(size) {}
+  std::string_view bytes() const { return {static_cast<const char*>(memory_.get()), size_}; }
+
+ private:
+  /// Also returns freed memory to the system: a run that has written a state would keep it to its end.
+  struct Free {
+    void operator()(void* memory) const;
+  };
+
+  std::unique_ptr<void, Free> memory_;
+  std::size_t size_;
+};
+
+/// Writes the whole file `image` to `path`, as write_file().
+void write_image(const std::string& path, const FileImage& image);
 
 /// A netCDF-4 file that is being written, in memory: HDF5 does not survive a disk that is full. Its bytes depend
 /// only on the written values.
@@ -46,15 +67,17 @@ class NetcdfWriter {
                 const std::vector<std::int8_t>& values);
   void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                 const std::vector<std::string>& values);
+  /// The same for values that `values` makes when the file is finished, `length` of them: a column of rows, so that no
+  /// more than one column at a time takes memory beside the rows.
+  template <typename T>
+  void column(const std::string& name, const std::string& along, const Meaning& meaning, std::size_t length,
+              std::function<std::vector<T>()> values);
   /// A variable without values that carries the attributes of a CF geometry.
   void container(const std::string& name, const Meaning& meaning);
   /// The bytes of the whole file; nothing can be added afterwards.
-  std::string finish();
+  FileImage finish();
 
  private:
-  template <typename T>
-  void write(const std::string& name, const std::string& dimension, const Meaning& meaning,
-             const std::vector<T>& values);
   void describe(int variable, const std::string& name, const Meaning& meaning);
   int dimension(const std::string& name, std::size_t length);
   void check(int status, const std::string& what) const;

@@ -30,12 +30,14 @@ std::string fitting_value(const std::string& key, const std::string& kind) {
   return "";
 }
 
-/// `key = value  # meaning`, with the default of the key, or else its example.
+/// `key = value  # meaning and plausible values`, with the default of the key, or else its example.
 std::string key_line(const std::string& key, const OrderedJson& key_schema, const std::string& fitting) {
   const bool has_default = key_schema.contains("default");
   const std::string value = toml_text(has_default ? key_schema.at("default") : key_schema.at("examples").front());
-  return fmt::format("{:<32}  # {}\n", key + " = " + (fitting.empty() ? value : fitting),
-                     first_sentence(key_schema.at("description").get<std::string>()));
+  const std::string plausible = plausible_values(key_schema);
+  return fmt::format("{:<32}  # {}{}\n", key + " = " + (fitting.empty() ? value : fitting),
+                     first_sentence(key_schema.at("description").get<std::string>()),
+                     plausible.empty() ? "" : " " + plausible);
 }
 
 /// The particulars that come together.

@@ -6,20 +6,24 @@
 namespace brash::io {
 namespace {
 
+/// The rings of each of `owners`, for write_polygons().
+template <typename Owner>
+auto rings_of_each(const std::vector<Owner>& owners) {
+  return [&owners](const auto& take) {
+    for (const Owner& owner : owners) take(owner.rings);
+  };
+}
+
 /// Floes with their outlines.
 void write_floes(NetcdfWriter& file, const std::vector<model::FloeRecord>& floes) {
-  std::vector<std::vector<std::vector<Vec2>>> outlines;
-  for (const model::FloeRecord& floe : floes) outlines.push_back(floe.rings);
   write_rows(file, floes, "floe_outline");
-  write_polygons(file, "floe_outline", "floe", {"m", "body frame of the floe"}, outlines);
+  write_polygons<Vec2>(file, "floe_outline", "floe", {"m", "body frame of the floe"}, rings_of_each(floes));
 }
 
 /// The sheet after every step with cracks.
 void write_cracked_sheets(NetcdfWriter& file, const std::vector<model::CrackedSheet>& sheets) {
-  std::vector<std::vector<std::vector<Vec2>>> polygons;
-  for (const model::CrackedSheet& sheet : sheets) polygons.push_back(sheet.rings);
   write_rows(file, sheets, "cracked_sheet_outline");
-  write_polygons(file, "cracked_sheet_outline", "cracked_sheet", {"m", "sheet frame"}, polygons);
+  write_polygons<Vec2>(file, "cracked_sheet_outline", "cracked_sheet", {"m", "sheet frame"}, rings_of_each(sheets));
 }
 
 std::vector<model::CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
@@ -32,15 +36,19 @@ std::vector<model::CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
 /// Poses frame after frame. CF's `sample_dimension` would call the file one of a feature type, which it is not.
 void write_frames(NetcdfWriter& file, const std::vector<model::Frame>& frames) {
   std::vector<std::int32_t> counts;
-  std::vector<model::FloePose> poses;
+  std::size_t n_poses = 0;
   for (const model::Frame& frame : frames) {
     counts.push_back(static_cast<std::int32_t>(frame.floes.size()));
-    poses.insert(poses.end(), frame.floes.begin(), frame.floes.end());
+    n_poses += frame.floes.size();
   }
+  const auto for_each_pose = [&frames](const auto& take) {
+    for (const model::Frame& frame : frames)
+      for (const model::FloePose& pose : frame.floes) take(pose);
+  };
   file.expect_repeats("pose");
   write_rows(file, frames);
   file.variable("frame_pose_count", "frame", {"1", "number of poses of each frame, one frame after the other"}, counts);
-  write_rows(file, poses);
+  Columns<model::FloePose>::visit(column_writer<model::FloePose>(file, n_poses, for_each_pose));
 }
 
 std::vector<model::Frame> read_frames(const NetcdfReader& file) {

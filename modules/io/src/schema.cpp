@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
+#include "brash/core/quantity_text.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
@@ -209,6 +211,41 @@ std::string allowed_values(const OrderedJson& key_schema) {
     return fmt::format("an array of {}, each {}", count_text(key_schema), allowed_values(key_schema.at("items")));
   if (type == "array") return "an array, each item " + allowed_values(key_schema.at("items"));
   return "a string";
+}
+
+namespace {
+
+/// The columns of plausible values: a word of the schema, and the same for readers.
+constexpr std::pair<const char*, const char*> kColumns[] = {{"sea", "at sea"}, {"model", "in model ice"}};
+
+/// What `text` makes of each column that the key has, joined by `between`.
+template <typename Text>
+std::string of_columns(const OrderedJson& key_schema, const char* between, const Text& text) {
+  std::string joined;
+  if (!key_schema.contains("x-plausible")) return joined;
+  for (const auto& [column, name] : kColumns)
+    if (key_schema.at("x-plausible").contains(column))
+      joined += (joined.empty() ? "" : between) + text(key_schema.at("x-plausible").at(column), name);
+  return joined;
+}
+
+}  // namespace
+
+std::string plausible_values(const OrderedJson& key_schema) {
+  const std::string unit = key_schema.value("x-unit", "1");
+  const std::string values = of_columns(key_schema, ", ", [&](const OrderedJson& range, const char* name) {
+    return fmt::format("{} to {} {}", quantity_text(range.at("least").get<double>(), unit),
+                       quantity_text(range.at("most").get<double>(), unit), name);
+  });
+  return values.empty() ? "" : "Plausible: " + values + ".";
+}
+
+std::string plausible_sources(const OrderedJson& key_schema) {
+  return of_columns(key_schema, " ", [](const OrderedJson& range, const char* name) {
+    std::string source = fmt::format("{}: {}.", name, range.at("source").get<std::string>());
+    source.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(source.front())));
+    return source;
+  });
 }
 
 std::string case_schema() { return kCaseSchemaText; }

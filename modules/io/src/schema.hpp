@@ -61,6 +61,10 @@ const Schema& schema_of_plans();
 std::string value_type(const OrderedJson& key_schema);
 /// The allowed values, in words and SI: "a number > 0 and <= 10 in m, or a quantity such as \"0.33 m\"".
 std::string allowed_values(const OrderedJson& key_schema);
+/// The plausible values in a sentence: "Plausible: 5 cm to 5 m at sea, 0.5 cm to 25 cm in model ice."; "" without any.
+std::string plausible_values(const OrderedJson& key_schema);
+/// Their sources in a sentence; "" without any.
+std::string plausible_sources(const OrderedJson& key_schema);
 /// `key_schema`'s default as TOML.
 std::string toml_text(const OrderedJson& value);
 /// `value` as a TOML number that reads back to the same double.

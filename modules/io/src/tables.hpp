@@ -34,20 +34,35 @@ inline void add_flags(Meaning& meaning, model::FloeEnd) {
 template <typename T>
 void add_flags(Meaning&, T) {}
 
-/// Writes `rows` as one variable a column, along the rows' dimension.
-/// @param geometry  container of the rows' polygons, as write_polygons() names it; empty: none.
-template <typename Row>
-void write_rows(NetcdfWriter& file, const std::vector<Row>& rows, const std::string& geometry = "") {
-  visit_used(rows, [&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
-    using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
-    std::vector<typename Stored<Member>::Type> values;
-    values.reserve(rows.size());
-    for (const Row& row : rows) values.push_back(static_cast<typename Stored<Member>::Type>(member(row)));
+/// A visitor of Columns<Row> that writes each as a variable along the rows' dimension.
+/// @param length         of the rows.
+/// @param for_each_row   calls its argument with each row, when the file is finished: the rows must live until then.
+/// @param geometry       container of the rows' polygons, as write_polygons() names it; empty: none.
+template <typename Row, typename ForEachRow>
+auto column_writer(NetcdfWriter& file, std::size_t length, ForEachRow for_each_row, const std::string& geometry = "") {
+  return [=, &file](const std::string& name, const char* unit, const std::string& meaning, auto member) {
+    using Member = std::remove_cvref_t<decltype(member(std::declval<const Row&>()))>;
+    using Value = typename Stored<Member>::Type;
     Meaning described{unit, meaning};
     add_flags(described, Member{});
     if (!geometry.empty()) described.more.emplace_back("geometry", geometry);
-    file.variable(Columns<Row>::prefix + name, Columns<Row>::dimension, described, values);
-  });
+    file.column<Value>(Columns<Row>::prefix + name, Columns<Row>::dimension, described, length,
+                       [length, for_each_row, member] {
+                         std::vector<Value> values;
+                         values.reserve(length);
+                         for_each_row([&](const Row& row) { values.push_back(static_cast<Value>(member(row))); });
+                         return values;
+                       });
+  };
+}
+
+/// Writes `rows`, which must live until the file is finished, as one variable a column.
+template <typename Row>
+void write_rows(NetcdfWriter& file, const std::vector<Row>& rows, const std::string& geometry = "") {
+  const auto for_each_row = [&rows](const auto& take) {
+    for (const Row& row : rows) take(row);
+  };
+  visit_used(rows, column_writer<Row>(file, rows.size(), for_each_row, geometry));
 }
 
 template <typename Row>
@@ -74,22 +89,40 @@ struct NodeFrame {
 };
 
 /// Writes rings one after another: `name`_part_node_count along `name`_part, `name`_x and `name`_y along `name`_node.
+/// @param for_each_ring  calls its argument with each ring, now and when the file is finished.
+template <typename Point, typename ForEachRing>
+void write_each_ring(NetcdfWriter& file, const std::string& name, const NodeFrame& frame, ForEachRing for_each_ring) {
+  using Number = decltype(Point::x);
+  std::vector<std::int32_t> node_counts;
+  std::size_t n_nodes = 0;
+  for_each_ring([&](const std::vector<Point>& ring) {
+    node_counts.push_back(static_cast<std::int32_t>(ring.size()));
+    n_nodes += ring.size();
+  });
+  const auto coordinate = [n_nodes, for_each_ring](Number Point::*member) {
+    return [=] {
+      std::vector<Number> values;
+      values.reserve(n_nodes);
+      for_each_ring([&](const std::vector<Point>& ring) {
+        for (const Point& node : ring) values.push_back(node.*member);
+      });
+      return values;
+    };
+  };
+  file.variable(name + "_part_node_count", name + "_part", {"1", "number of nodes of each ring"}, node_counts);
+  file.column<Number>(name + "_x", name + "_node", {frame.unit, "nodes, x, " + frame.description, {{"axis", "X"}}},
+                      n_nodes, coordinate(&Point::x));
+  file.column<Number>(name + "_y", name + "_node", {frame.unit, "nodes, y, " + frame.description, {{"axis", "Y"}}},
+                      n_nodes, coordinate(&Point::y));
+}
+
+/// The same for `rings`, which must live until the file is finished.
 template <typename Point>
 void write_rings(NetcdfWriter& file, const std::string& name, const NodeFrame& frame,
                  const std::vector<std::vector<Point>>& rings) {
-  std::vector<std::int32_t> node_counts;
-  std::vector<decltype(Point::x)> x;
-  std::vector<decltype(Point::y)> y;
-  for (const std::vector<Point>& ring : rings) {
-    node_counts.push_back(static_cast<std::int32_t>(ring.size()));
-    for (const Point& node : ring) {
-      x.push_back(node.x);
-      y.push_back(node.y);
-    }
-  }
-  file.variable(name + "_part_node_count", name + "_part", {"1", "number of nodes of each ring"}, node_counts);
-  file.variable(name + "_x", name + "_node", {frame.unit, "nodes, x, " + frame.description, {{"axis", "X"}}}, x);
-  file.variable(name + "_y", name + "_node", {frame.unit, "nodes, y, " + frame.description, {{"axis", "Y"}}}, y);
+  write_each_ring<Point>(file, name, frame, [&rings](const auto& take) {
+    for (const std::vector<Point>& ring : rings) take(ring);
+  });
 }
 
 /// `values` cut into runs of `counts`; refuses counts that do not add up to all values.
@@ -141,23 +174,22 @@ bool is_clockwise(const std::vector<Point>& ring) {
 /// Writes polygons along `dimension`, as a geometry of the CF conventions (1.8, Sec. 7.5) with the container `name`;
 /// `name`_part_count says how many rings each polygon has. A polygon may have several parts: each is its outline, then
 /// its holes.
-template <typename Point>
+/// @param for_each_polygon  calls its argument with the rings of each polygon, now and when the file is finished.
+template <typename Point, typename ForEachPolygon>
 void write_polygons(NetcdfWriter& file, const std::string& name, const std::string& dimension, const NodeFrame& frame,
-                    const std::vector<std::vector<std::vector<Point>>>& polygons) {
-  std::vector<std::vector<Point>> rings;
+                    ForEachPolygon for_each_polygon) {
   std::vector<std::int32_t> node_counts;
   std::vector<std::int32_t> part_counts;
   std::vector<std::int32_t> interior;
-  for (const std::vector<std::vector<Point>>& polygon : polygons) {
+  for_each_polygon([&](const std::vector<std::vector<Point>>& polygon) {
     std::int32_t n_nodes = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      rings.push_back(polygon[i]);
-      interior.push_back(is_clockwise(polygon[i]) ? 1 : 0);
-      n_nodes += static_cast<std::int32_t>(polygon[i].size());
+    for (const std::vector<Point>& ring : polygon) {
+      interior.push_back(is_clockwise(ring) ? 1 : 0);
+      n_nodes += static_cast<std::int32_t>(ring.size());
     }
     node_counts.push_back(n_nodes);
     part_counts.push_back(static_cast<std::int32_t>(polygon.size()));
-  }
+  });
   file.container(name, {"",
                         "polygons, " + frame.description,
                         {{"geometry_type", "polygon"},
@@ -167,7 +199,11 @@ void write_polygons(NetcdfWriter& file, const std::string& name, const std::stri
                          {"node_coordinates", name + "_x " + name + "_y"}}});
   file.variable(name + "_node_count", dimension, {"1", "number of nodes of each polygon"}, node_counts);
   file.variable(name + "_part_count", dimension, {"1", "number of rings of each polygon"}, part_counts);
-  write_rings(file, name, frame, rings);
+  write_each_ring<Point>(file, name, frame, [for_each_polygon](const auto& take) {
+    for_each_polygon([&](const std::vector<std::vector<Point>>& polygon) {
+      for (const std::vector<Point>& ring : polygon) take(ring);
+    });
+  });
   file.variable(name + "_interior_ring", name + "_part", {"1", "1 for a hole, 0 for an outline"}, interior);
 }
 

@@ -6,8 +6,10 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "brash/core/version.hpp"
+#include "brash/core/write_pieces.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
@@ -16,7 +18,7 @@
 namespace brash::io {
 namespace {
 
-std::string netcdf_bytes(const std::string& path, const model::Case& resolved, const model::RunResults& results) {
+FileImage netcdf_image(const std::string& path, const model::Case& resolved, const model::RunResults& results) {
   NetcdfWriter file(path);
   file.attribute("Conventions", "CF-1.9");
   file.attribute("title", "brash run of the case " + resolved.name);
@@ -59,24 +61,45 @@ std::string cells(const Row& row) {
   return text;
 }
 
-std::string history_csv(const std::vector<model::LoadRow>& loads) {
-  std::set<std::string> used;
-  std::string text;
-  visit_used(loads, [&](const std::string& name, const auto&...) {
-    used.insert(name);
-    text += name + ',';
-  });
-  text.back() = '\n';
-  for (const model::LoadRow& row : loads) {
+/// Rows of a piece of history.csv.
+constexpr std::size_t kRowsOfPiece = 1000;
+
+/// history.csv in pieces: its text takes as much memory as the rows do.
+class HistoryText {
+ public:
+  explicit HistoryText(const std::vector<model::LoadRow>& loads) : loads_(loads) {
+    visit_used(loads, [&](const std::string& name, const auto&...) { used_.insert(name); });
+  }
+
+  bool next(std::string_view& piece) {
+    text_.clear();
+    if (!std::exchange(begun_, true)) add_names(text_);
+    const std::size_t end = std::min(next_ + kRowsOfPiece, loads_.size());
+    for (; next_ < end; ++next_) add_row(text_, loads_[next_]);
+    piece = text_;
+    return !text_.empty();
+  }
+
+ private:
+  void add_names(std::string& text) const {
+    visit_used(loads_, [&](const std::string& name, const auto&...) { text += name + ','; });
+    text.back() = '\n';
+  }
+  void add_row(std::string& text, const model::LoadRow& row) const {
     Columns<model::LoadRow>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
-      if (!used.contains(name)) return;
+      if (!used_.contains(name)) return;
       append(text, member(row));
       text += ',';
     });
     text.back() = '\n';
   }
-  return text;
-}
+
+  const std::vector<model::LoadRow>& loads_;
+  std::set<std::string> used_;
+  std::string text_;
+  bool begun_ = false;
+  std::size_t next_ = 0;  ///< row
+};
 
 /// A line of events.csv, and when it happened.
 struct EventLine {
@@ -130,13 +153,15 @@ std::string events_csv(const model::RunResults& results) {
 void write_results(const std::string& directory, const model::Case& resolved, const model::RunResults& results) {
   const std::filesystem::path folder(directory);
   const std::string path = (folder / "run.nc").string();
-  write_file(path, netcdf_bytes(path, resolved, results));
+  write_image(path, netcdf_image(path, resolved, results));
   write_history(directory, results);
   write_file((folder / "events.csv").string(), events_csv(results));
 }
 
 void write_history(const std::string& directory, const model::RunResults& results) {
-  write_file((std::filesystem::path(directory) / "history.csv").string(), history_csv(results.loads));
+  HistoryText text(results.loads);
+  write_pieces((std::filesystem::path(directory) / "history.csv").string(),
+               [&text](std::string_view& piece) { return text.next(piece); });
 }
 
 }  // namespace brash::io

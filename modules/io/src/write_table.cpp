@@ -19,7 +19,7 @@ void write_table(const std::string& path, const Table& table) {
   }
   for (const TableColumn& column : table.columns)
     file.variable(column.name, table.dimension, {column.unit, column.meaning}, column.values);
-  write_file(path, file.finish());
+  write_image(path, file.finish());
 }
 
 }  // namespace brash::io

@@ -74,11 +74,12 @@ void tell_of_another_program(model::Checkpoint& checkpoint) {
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs) {
   simulation::CheckpointStore store = checkpoint_file(path, resume);
   const model::Table models = models_of(inputs);
-  store.keep = [keep = store.keep, models](model::Checkpoint checkpoint) {
-    checkpoint.resolved = nameless(std::move(checkpoint.resolved));
-    checkpoint.tables.push_back(models);
-    checkpoint.tables.push_back(this_program());
-    keep(checkpoint);
+  // The results of a long run are many: a state with the tables of this run is written, and never copied with them.
+  store.keep = [path, models](const model::Checkpoint& checkpoint) {
+    std::vector<model::Table> tables = checkpoint.tables;
+    tables.push_back(models);
+    tables.push_back(this_program());
+    io::write_checkpoint(path, nameless(checkpoint.resolved), tables, checkpoint.results);
   };
   if (!store.newest) return store;
   store.newest = [newest = store.newest, models, inputs, path]() -> std::optional<model::Checkpoint> {

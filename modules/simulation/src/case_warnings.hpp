@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "brash/failure/criterion.hpp"
@@ -14,6 +15,9 @@ using Warnings = std::vector<model::Warning>;
 
 /// The body of a structure afloat; null for any other.
 const model::FloatingBody* afloat(const model::Motion& motion);
+
+/// Whether the source of a reference, in the user's words, is a test in a basin.
+bool names_a_basin(std::string source);
 
 /// Properties outside the measured ranges of ice, with the unit that was probably meant, of the floes of a file too;
 /// strengths that may be swapped, ice that hardly floats, and a current faster than any among ice.

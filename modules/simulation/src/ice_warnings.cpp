@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -12,101 +13,105 @@
 #include <utility>
 
 #include "brash/core/error.hpp"
+#include "brash/core/quantity_text.hpp"
 #include "brash/ice/floe_field.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/idle_files.hpp"
+#include "brash/model/plausible.hpp"
 #include "case_warnings.hpp"
 #include "edge_contact.hpp"
 
 namespace brash::simulation {
-namespace {
 
-/// Values that have been measured, natural and model ice together.
-struct MeasuredRange {
-  const char* id;
-  const char* key;
-  const char* unit;  ///< SI
-  double least;
-  double most;
-  const char* source;
-};
-
-// Timco and Weeks 2010: Cold Reg. Sci. Technol. 60, 107 to 129. Timco and Frederking 1996: the same, 24, 1 to 6.
-// Sodhi, Borland and Stanley 1996: CRREL Report 96-12. Hu and Zhou 2016: Int. J. Nav. Archit. Ocean Eng. 8(2).
-constexpr MeasuredRange kThickness{
-    "thickness", "ice.thickness", "m", 0.005, 5.0, "level ice: 24 mm in a basin (Sodhi 1996) to a few metres at sea"};
-constexpr MeasuredRange kDensity{"density", "ice.density", "kg/m3",
-                                 720.0,     940.0,         "sea ice: 720 to 940 kg/m3 (Timco and Frederking 1996)"};
-constexpr MeasuredRange kFlexural{"flexural-strength",
-                                  "ice.flexural_strength",
-                                  "Pa",
-                                  1.0e4,
-                                  3.0e6,
-                                  "model ice from 31 kPa (Sodhi 1996), sea and fresh ice up to some 2 MPa (Timco and "
-                                  "Weeks 2010)"};
-constexpr MeasuredRange kCompressive{"compressive-strength",
-                                     "ice.compressive_strength",
-                                     "Pa",
-                                     1.0e4,
-                                     2.0e7,
-                                     "0.36 to 3.67 MPa (the paper, Sec. 3.1.2), up to 5.4 MPa (Hu and Zhou 2016)"};
-constexpr MeasuredRange kModulus{
-    "youngs-modulus",
-    "ice.youngs_modulus",
-    "Pa",
-    1.0e7,
-    1.2e10,
-    "model ice from some 50 MPa (Sodhi 1996), sea ice up to 10 GPa (Timco and Weeks 2010)"};
-
-struct Prefix {
-  double factor;
-  const char* text;
-};
-
-/// `value` in the unit with the prefix that keeps it short.
-std::string in_words(double value, const std::string& unit) {
-  if (unit == "Pa")
-    for (const Prefix& p : {Prefix{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
-      if (value >= p.factor) return fmt::format("{:.4g} {}", value / p.factor, p.text);
-  if (unit == "m" && value < 1.0) return fmt::format("{:.4g} cm", 100.0 * value);
-  return fmt::format("{:.4g} {}", value, unit);
+bool names_a_basin(std::string source) {
+  std::ranges::transform(source, source.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string_view basins[] = {"basin", "ice tank", "model test", "model ice"};
+  return std::ranges::any_of(basins, [&](std::string_view basin) { return source.find(basin) != std::string::npos; });
 }
 
-/// The value that was probably meant: the number taken in another unit of its kind, the first that has been measured.
-std::optional<double> probably_meant(const MeasuredRange& range, double value) {
-  const std::string unit = range.unit;
+namespace {
+
+using model::Plausible;
+using model::Range;
+
+/// Whether the ice may be model ice: it is as thin as sheets of basins are, or the reference names a basin, whose
+/// values may be at full scale.
+bool may_be_model_ice(const model::Case& c) {
+  return names_a_basin(c.reference.source) || model::plausible("ice.thickness").model_ice->has(c.ice.thickness);
+}
+
+/// The ranges of a key that hold for the ice of a case.
+struct Ranges {
+  const Plausible& row;
+  bool with_model_ice;
+
+  bool have(double value) const {
+    return row.sea.has(value) || (with_model_ice && row.model_ice && row.model_ice->has(value));
+  }
+  /// Whether the value is plausible in a basin, whether or not the ice may be model ice.
+  bool are_of_model_ice(double value) const { return row.model_ice && row.model_ice->has(value); }
+};
+
+Ranges ranges_of(const char* key, const model::Case& c) { return {model::plausible(key), may_be_model_ice(c)}; }
+
+std::string in_words(const Range& range, const std::string& unit) {
+  return fmt::format("{} to {}", quantity_text(range.least, unit), quantity_text(range.most, unit));
+}
+
+/// The value that was probably meant: the number taken in another unit of its kind, the first that is plausible.
+std::optional<double> probably_meant(const Ranges& ranges, double value) {
+  const std::string_view unit = ranges.row.unit;
+  if (unit == "1") return std::nullopt;
   const std::array<double, 3> factors = unit == "Pa"  ? std::array{1e6, 1e3, 1e9}
                                         : unit == "m" ? std::array{1e-2, 1e-3, 1e3}
                                                       : std::array{1e3, 1e-3, 1.0};
   for (const double factor : factors)
-    if (factor * value >= range.least && factor * value <= range.most && factor != 1.0) return factor * value;
+    if (factor != 1.0 && ranges.have(factor * value)) return factor * value;
   return std::nullopt;
 }
 
-bool is_measured(const MeasuredRange& range, double value) { return value >= range.least && value <= range.most; }
-
-/// @param name  of the property: the key, if it is the case's own.
-void check(const MeasuredRange& range, const std::string& name, double value, Warnings& warnings) {
-  if (is_measured(range, value)) return;
-  const std::optional<double> meant = probably_meant(range, value);
-  warnings.push_back({range.id, fmt::format("{} = {} is no ice that has been measured: {}; {}", name,
-                                            in_words(value, range.unit), range.source,
-                                            meant ? fmt::format("was \"{}\" meant?", in_words(*meant, range.unit))
-                                                  : fmt::format("expected {} to {}", in_words(range.least, range.unit),
-                                                                in_words(range.most, range.unit)))});
+/// The fault of a value of model ice in other ice, and the remedy.
+std::string of_other_ice(const Plausible& row) {
+  return fmt::format(
+      "is of model ice, and the thickness is of ice at sea, which has {} ({}): take the ice of a site, as "
+      "`brash new --ice baltic` writes it, or name the basin of a test in reference.source",
+      in_words(row.sea, row.unit), row.sea.source);
 }
 
-/// Checks one property of the floes of a file, and tells of the first that is out of range.
-void check_floes(const MeasuredRange& range, std::span<const ice::GivenIce> floes,
+/// The fault of a value that no ice has, and the remedy.
+std::string of_no_ice(const Ranges& ranges, double value) {
+  const Plausible& row = ranges.row;
+  Range all = row.sea;
+  std::string known = fmt::format("ice at sea: {}", row.sea.source);
+  if (ranges.with_model_ice && row.model_ice) {
+    all = {std::min(all.least, row.model_ice->least), std::max(all.most, row.model_ice->most)};
+    known += fmt::format("; model ice: {}", row.model_ice->source);
+  }
+  const std::optional<double> meant = probably_meant(ranges, value);
+  return fmt::format("is no ice that has been measured: {}; {}", known,
+                     meant ? fmt::format("was \"{}\" meant?", quantity_text(*meant, row.unit))
+                           : "expected " + in_words(all, row.unit));
+}
+
+/// @param name  of the property: the key, if it is the case's own.
+void check(const Ranges& ranges, const std::string& name, double value, Warnings& warnings) {
+  if (ranges.have(value)) return;
+  const std::string found = ranges.are_of_model_ice(value) ? of_other_ice(ranges.row) : of_no_ice(ranges, value);
+  warnings.push_back(
+      {ranges.row.warning, fmt::format("{} = {} {}", name, quantity_text(value, ranges.row.unit), found)});
+}
+
+/// Checks one property of the floes of a file, and names the first that is out of range.
+void check_floes(const Ranges& ranges, std::span<const ice::GivenIce> floes,
                  std::optional<double> ice::GivenIce::*property, Warnings& warnings) {
   const auto is_odd = [&](const ice::GivenIce& floe) {
-    return (floe.*property).has_value() && !is_measured(range, *(floe.*property));
+    return (floe.*property).has_value() && !ranges.have(*(floe.*property));
   };
   const auto first = std::ranges::find_if(floes, is_odd);
   if (first == floes.end()) return;
   const auto n = std::ranges::count_if(floes, is_odd);
-  const std::string name = std::string(range.key).substr(std::string_view("ice.").size());
-  check(range,
+  const std::string name = std::string(ranges.row.key).substr(std::string_view("ice.").size());
+  check(ranges,
         fmt::format("feature {} of field.file{}: {}", first->feature, n > 1 ? fmt::format(" (and {} more)", n - 1) : "",
                     name),
         *((*first).*property), warnings);
@@ -123,11 +128,14 @@ auto or_nothing(Read&& read) -> decltype(read()) {
   }
 }
 
+/// Ice of any thickness of either column is plausible: the thickness decides between them.
+Ranges thicknesses() { return {model::plausible("ice.thickness"), true}; }
+
 void add_floe_ice_warnings(const model::Case& c, Warnings& warnings) {
   if (c.field.file.empty()) return;
   const auto floes = or_nothing([&] { return ice::read_given_ice(c.field.file); });
-  check_floes(kThickness, floes, &ice::GivenIce::thickness, warnings);
-  check_floes(kFlexural, floes, &ice::GivenIce::flexural_strength, warnings);
+  check_floes(thicknesses(), floes, &ice::GivenIce::thickness, warnings);
+  check_floes(ranges_of("ice.flexural_strength", c), floes, &ice::GivenIce::flexural_strength, warnings);
 }
 
 /// The share of the thickness above water below which a percent of error in a density is half of the freeboard [-].
@@ -136,30 +144,30 @@ constexpr double kLeastFreeboard = 0.02;
 /// Ice bears less in bending than in compression: its tensile side fails first.
 void add_order_warning(const model::IceSection& ice, Warnings& warnings) {
   if (ice.compressive_strength >= ice.flexural_strength) return;
-  warnings.push_back(
-      {"strengths", fmt::format("ice.compressive_strength = {} is less than ice.flexural_strength = {}, "
-                                "where measured ice bears more in compression: were they swapped?",
-                                in_words(ice.compressive_strength, "Pa"), in_words(ice.flexural_strength, "Pa"))});
+  warnings.push_back({"strengths", fmt::format("ice.compressive_strength = {} is less than ice.flexural_strength = {}, "
+                                               "where measured ice bears more in compression: were they swapped?",
+                                               quantity_text(ice.compressive_strength, "Pa"),
+                                               quantity_text(ice.flexural_strength, "Pa"))});
 }
 
-/// Tidal currents among ice reach 8 knots in Cook Inlet (Mulherin and others 2001, ERDC/CRREL TR-01-10) [m/s].
-constexpr double kFastestCurrent = 5.0;
-
 void add_current_warning(Vec2 current, Warnings& warnings) {
-  if (norm(current) <= kFastestCurrent) return;
-  warnings.push_back({"fast-current", fmt::format("water.current = [{}, {}] m/s is faster than any that ice is known "
-                                                  "in, some 4 m/s in Cook Inlet: check its unit",
-                                                  current.x, current.y)});
+  const Plausible& row = model::plausible("water.current");
+  if (row.sea.has(norm(current))) return;
+  warnings.push_back({row.warning, fmt::format("water.current = [{}, {}] m/s is faster than any that ice is known in, "
+                                               "{}: check its unit",
+                                               current.x, current.y, row.sea.source)});
 }
 
 }  // namespace
 
 void add_ice_warnings(const model::Case& c, Warnings& warnings) {
-  check(kThickness, kThickness.key, c.ice.thickness, warnings);
-  check(kDensity, kDensity.key, c.ice.density, warnings);
-  check(kFlexural, kFlexural.key, c.ice.flexural_strength, warnings);
-  check(kCompressive, kCompressive.key, c.ice.compressive_strength, warnings);
-  check(kModulus, kModulus.key, c.ice.youngs_modulus, warnings);
+  const std::pair<const char*, double> properties[] = {{"ice.density", c.ice.density},
+                                                       {"ice.flexural_strength", c.ice.flexural_strength},
+                                                       {"ice.compressive_strength", c.ice.compressive_strength},
+                                                       {"ice.youngs_modulus", c.ice.youngs_modulus},
+                                                       {"ice.friction_structure", c.ice.friction_structure}};
+  check(thicknesses(), "ice.thickness", c.ice.thickness, warnings);
+  for (const auto& [key, value] : properties) check(ranges_of(key, c), key, value, warnings);
   add_order_warning(c.ice, warnings);
   add_floe_ice_warnings(c, warnings);
   add_current_warning(c.water.current, warnings);

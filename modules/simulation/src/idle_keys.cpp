@@ -114,7 +114,8 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
   if (const model::FloatingBody* const body = afloat(c.structure.motion))
     keys.look_at("structure.motion.thrust_arm", body->thrust_arm, Vec3{}, body->thrust != Vec3{},
                  "structure.motion.thrust");
-  keys.look_at("reference.source", c.reference.source, usual.reference.source, c.reference.mean_horizontal.has_value(),
+  keys.look_at("reference.source", c.reference.source, usual.reference.source,
+               c.reference.mean_horizontal.has_value() || names_a_basin(c.reference.source),
                "reference.mean_horizontal");
   if (keys.all().empty()) return;
   warnings.push_back({"idle-keys", fmt::format("keys that do nothing in this case: {}; remove them, or write what they "

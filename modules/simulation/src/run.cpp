@@ -61,7 +61,8 @@ class Recorder {
     if (has_frame) results_.frames.push_back(simulation.frame());
   }
 
-  const model::RunResults& so_far() const { return results_; }
+  /// Exchanges the results so far: a state is kept with them, and they come back.
+  void swap_so_far(model::RunResults& other) { std::swap(results_, other); }
 
   model::RunResults finish(const Simulation& simulation) {
     for (model::FloeRecord& floe : results_.floes)
@@ -147,8 +148,9 @@ struct Progress {
   double last_checkpoint_seconds = 0.0;  ///< of them
   StageTimer timer{};
   Clock::time_point begun = Clock::now();
-  std::optional<model::Checkpoint> known{};  ///< a state of some steps ago, without results
-  std::int64_t known_steps = 0;              ///< done in that state
+  Clock::time_point last_checkpoint = begun;  ///< or the beginning
+  std::optional<model::Checkpoint> known{};   ///< a state of some steps ago, without results
+  std::int64_t known_steps = 0;               ///< done in that state
   Clock::time_point known_since{};
   double known_cost = 0.0;  ///< time that it took to keep
 };
@@ -205,14 +207,37 @@ std::optional<Progress> begin_unless_interrupted(const model::Case& resolved, co
 /// A checkpoint holds all results so far, and would take a growing part of a long run's time: a new one that takes as
 /// long as the last waits until all have taken no more than this share of it.
 constexpr double kCheckpointShare = 0.005;
+/// But no longer than this: so much work at most is lost with a machine [s of wall time].
+constexpr double kLongestWithoutCheckpoint = 120.0;
+/// And no checkpoint that takes long comes sooner than so many times its own duration.
+constexpr double kLongestShare = 10.0;
 
-bool may_take_checkpoint(const Progress& progress) {
-  return progress.checkpoint_seconds + progress.last_checkpoint_seconds <=
-         kCheckpointShare * seconds_since(progress.begun);
+/// Whether a checkpoint is to be kept after `done` steps. @param every  steps between two; 0: none.
+bool is_checkpoint_due(const Progress& progress, std::int64_t done, std::int64_t every) {
+  if (every <= 0) return false;
+  const double since = seconds_since(progress.last_checkpoint);
+  if (since >= std::max(kLongestWithoutCheckpoint, kLongestShare * progress.last_checkpoint_seconds)) return true;
+  return done % every == 0 && progress.checkpoint_seconds + progress.last_checkpoint_seconds <=
+                                  kCheckpointShare * seconds_since(progress.begun);
 }
 
-void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, const Progress& progress) {
-  saved.results = progress.recorder.so_far();
+/// Lends the results so far to a state while it lives: a copy would double the memory of a long run.
+class Lent {
+ public:
+  Lent(Recorder& recorder, model::Checkpoint& saved) : recorder_(recorder), saved_(saved) {
+    recorder_.swap_so_far(saved_.results);
+  }
+  Lent(const Lent&) = delete;
+  Lent& operator=(const Lent&) = delete;
+  ~Lent() { recorder_.swap_so_far(saved_.results); }
+
+ private:
+  Recorder& recorder_;
+  model::Checkpoint& saved_;
+};
+
+void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, Progress& progress) {
+  const Lent results(progress.recorder, saved);
   model::save(saved, "counts", progress.counts);
   for (const model::Warning& warning : progress.earlier_warnings) add_warning(saved, warning);
   store.keep(saved);
@@ -253,7 +278,7 @@ Simulation made_again(const model::Case& resolved, const RunOptions& options, co
 }
 
 /// Keeps the state after `n_steps`, before a step that failed. @return the line about it for the error message.
-std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
+std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, Progress& progress,
                             std::int64_t n_steps) {
   if (!options.checkpoint.keep) return {};
   try {
@@ -304,12 +329,12 @@ bool advance(const model::Case& resolved, const RunOptions& options, Progress& p
       if (options.observer) options.observer(progress.simulation, *report);
     }
     const bool interrupted = !report || (options.interrupted && options.interrupted());
-    const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);
-    if (options.checkpoint.keep && (due || interrupted)) {
+    if (options.checkpoint.keep && (interrupted || is_checkpoint_due(progress, done, checkpoint_every))) {
       const Clock::time_point start = Clock::now();
       keep_checkpoint(options.checkpoint, progress.simulation.checkpoint(), progress);
       progress.last_checkpoint_seconds = seconds_since(start);
       progress.checkpoint_seconds += progress.last_checkpoint_seconds;
+      progress.last_checkpoint = Clock::now();
     }
     if (interrupted) return false;
   }

@@ -103,6 +103,8 @@ model::Frame Simulation::frame() const {
   // Summed in the order of their sizes: the order of the contacts names tiles of the sheet, which a resumed run lays
   // again.
   std::ranges::sort(forces);
+  // A run keeps its frames to the end: room for twice as many poses would be kept with them.
+  frame.floes.reserve(impl_->state.floes.floes().size());
   for (const auto& [body, floe] : impl_->state.floes.floes()) {
     double sum = 0.0;
     auto force = std::ranges::lower_bound(forces, body, {}, &std::pair<BodyId, double>::first);

@@ -32,7 +32,8 @@ const parts = {
   "/*STYLE*/": style,
   "BRASH-SCHEMA": inside(JSON.stringify(JSON.parse(read("modules/io/case.schema.json")))),
   "BRASH-SITE-ICE": inside(JSON.stringify(JSON.parse(read("modules/io/site_ice.json")))),
-  "BRASH-TEMPLATE": read("experiments/validation/cone.toml").replace(/^# SPDX.*\n/, ""),
+  // The builder begins as `brash new --ice baltic` does, the simulator with the validation case, of which it draws 20 s at once.
+  "BRASH-TEMPLATE": core ? read("experiments/validation/cone.toml").replace(/^(#.*\n)+\n/, "") : readFileSync(join(here, "new_case.toml"), "utf8").replace(/^# SPDX.*\n/, ""),
   "BRASH-WORKER": core ? inside(readFileSync(join(core, "core.js"), "utf8") + bundled(esbuild, join(here, "src/worker.ts"))) : "",
   "BRASH-CORE": core ? packedCore() : "",
   "/*SCRIPT*/": script,

@@ -101,6 +101,26 @@ class Templates(unittest.TestCase):
                         for warning in ("youngs-modulus", "flexural-strength", "density", "friction", "strengths"):
                             self.assertNotIn(f"warning: {warning}", said)
 
+    def test_the_ice_of_the_basin_is_warned_of_in_a_case_of_no_basin(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "mine.toml"
+            file.write_text(brash("new").stdout, encoding="utf-8")
+            said = brash("check", file).stderr
+            for text in ("warning: youngs-modulus: ice.youngs_modulus = 350 MPa is of model ice",
+                         "warning: friction-structure: ice.friction_structure = 0.027 is of model ice"):
+                self.assertIn(text, said)
+            said = brash("check", file, "--set", "reference.source=a model basin").stderr
+            self.assertNotIn("is of model ice", said)
+
+    def test_templates_and_the_schema_have_the_plausible_values(self):
+        line = "Plausible: 500 MPa to 12 GPa at sea, 10 MPa to 1 GPa in model ice."
+        self.assertIn(f"# Young's modulus E of the ice. {line}", brash("new").stdout)
+        template = " ".join(brash("schema", "--template").stdout.replace("#", " ").split())
+        self.assertIn(f"{line} At sea: effective modulus of 0.5 GPa", template)
+        schema = json.loads(brash("schema").stdout)["properties"]
+        self.assertIn(line, schema["ice"]["properties"]["youngs_modulus"]["description"])
+        self.assertIn("Plausible: 0 m/s to 5 m/s at sea.", schema["water"]["properties"]["current"]["description"])
+
     def test_an_ice_that_is_none_is_named(self):
         said = brash("new", "--ice", "baltik", code=2).stderr
         for part in ("there is no ice 'baltik'", "basin, baltic, bohai, arctic", "such as baltic"):

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -13,6 +15,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
 #include "netcdf_file.hpp"
 #include "sample_results.hpp"
@@ -79,23 +82,52 @@ BOOST_AUTO_TEST_CASE(a_run_in_which_nothing_happened_is_written_too) {
   BOOST_TEST(lines_of(scratch.path("events.csv")).size() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(a_long_replay_of_floes_at_rest_takes_little_room) {
-  const Scratch scratch;
+/// Results with a replay of floes at rest.
+RunResults results_of_replay(std::size_t n_frames, std::size_t n_floes) {
   RunResults results = sample_results();
-  constexpr std::size_t kFrames = 2000, kFloes = 50;
   Frame frame = results.frames.at(0);
-  for (std::size_t i = 0; i < kFloes; ++i) {
+  for (std::size_t i = 0; i < n_floes; ++i) {
     const double digits = std::sqrt(static_cast<double>(i + 2));
     frame.floes.push_back({.floe = 0,
                            .pose = {{digits, 3.0 * digits, 5.0 * digits}, {0.6, 0.0, 0.0, 0.8}},
                            .contact_force = 1e3 * digits});
   }
-  results.frames.assign(kFrames, frame);
+  results.frames.assign(n_frames, frame);
+  return results;
+}
+
+// Each pose has a whole number and eight others.
+constexpr double kBytesOfPose = 9.0 * sizeof(double);
+
+BOOST_AUTO_TEST_CASE(a_long_replay_of_floes_at_rest_takes_little_room) {
+  const Scratch scratch;
+  constexpr std::size_t kFrames = 2000, kFloes = 50;
+  const RunResults results = results_of_replay(kFrames, kFloes);
   write_results(scratch.folder().string(), validation(), results);
-  // Each pose has a whole number and eight others.
-  const double bytes = 9.0 * sizeof(double) * kFrames * kFloes;
-  BOOST_TEST(static_cast<double>(std::filesystem::file_size(scratch.path("run.nc"))) < 0.05 * bytes);
+  BOOST_TEST(static_cast<double>(std::filesystem::file_size(scratch.path("run.nc"))) <
+             0.05 * kBytesOfPose * kFrames * kFloes);
   BOOST_TEST((read_results(scratch.path("run.nc")) == results));
+}
+
+/// The most memory that the process has held [bytes].
+double peak_memory() {
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+BOOST_AUTO_TEST_CASE(results_and_states_are_written_without_copies_in_memory) {
+  const Scratch scratch;
+  constexpr std::size_t kFrames = 2000, kFloes = 200;
+  const RunResults results = results_of_replay(kFrames, kFloes);
+  const double bytes = kBytesOfPose * kFrames * kFloes;
+  write_results(scratch.folder().string(), validation(), {});  // the library takes some memory once
+  const double before = peak_memory();
+  write_results(scratch.folder().string(), validation(), results);
+  write_checkpoint(scratch.path("checkpoint.nc"), validation(), {}, results);
+  // HDF5 keeps the columns that it deflates until the file is whole. Two copies of the poses came on top of that.
+  BOOST_TEST(peak_memory() - before < 1.5 * bytes);
+  BOOST_TEST((read_checkpoint(scratch.path("checkpoint.nc")).results == results));
 }
 
 BOOST_AUTO_TEST_CASE(the_outline_of_a_second_sheet_is_no_hole) {

@@ -84,8 +84,9 @@ BOOST_AUTO_TEST_CASE(a_start_of_statistics_that_was_left_out_is_not_to_be_left_o
 BOOST_AUTO_TEST_CASE(a_structure_at_rest_in_drifting_ice_is_judged_by_the_speed_of_the_ice) {
   const std::string file = kSource + "/tests/modules/simulation/turning_path.toml";
   const auto at_rest = [&](std::vector<std::string> settings) {
-    settings.insert(settings.end(), {"structure.motion.path=[[0,-10,0,0],[20,-10,0,0]]", "field.kind=floes",
-                                     "field.concentration=0.3", "field.size.least=4", "field.size.largest=12"});
+    settings.insert(settings.end(),
+                    {"structure.motion.path=[[0,-10,0,0],[20,-10,0,0]]", "field.kind=floes", "field.concentration=0.3",
+                     "field.size.least=4", "field.size.largest=12", "reference.source='model ice'"});
     return simulation::derived_scales(io::read_case(file, settings)).warnings;
   };
   const auto drifting = at_rest({"water.current=[-0.5,0]"});

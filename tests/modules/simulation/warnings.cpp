@@ -88,6 +88,28 @@ BOOST_AUTO_TEST_CASE(a_number_without_its_unit_gets_the_unit_that_was_probably_m
   BOOST_TEST(says(modulus, "was \"100 MPa\" meant?"), modulus);
 }
 
+BOOST_AUTO_TEST_CASE(model_ice_at_sea_is_warned_of_and_the_same_in_a_basin_is_not) {
+  const std::vector<std::string> of_model_ice{"youngs-modulus", "friction-structure"};
+  const auto at_sea = warnings_with({"reference.source='a pier'"});
+  for (const std::string& id : of_model_ice) BOOST_TEST(has(at_sea, id), id);
+  const auto modulus = text_of(at_sea, "youngs-modulus");
+  BOOST_TEST(says(modulus, "ice.youngs_modulus = 350 MPa is of model ice"), modulus);
+  BOOST_TEST(says(modulus, "ice at sea, which has 500 MPa to 12 GPa"), modulus);
+  BOOST_TEST(says(modulus, "`brash new --ice baltic`"), modulus);
+  // Ice as thin as a basin's, the words for a basin, and the ice of a site.
+  const std::vector<std::string> thin{"reference.source='a pier'", "ice.thickness=5 cm", "failure.smallest_floe=1e-4"};
+  for (const std::string& id : of_model_ice) {
+    BOOST_TEST(!has(warnings_with(thin), id), id);
+    for (const std::string words : {"an Ice Tank", "model test of 1998", "scaled model ice", "HSVA basin"})
+      BOOST_TEST(!has(warnings_with({"reference.source='" + words + "'"}), id), words);
+    BOOST_TEST(!has(warnings_with({"reference.source='a pier'", "ice.youngs_modulus=3.1 GPa", "ice.density=910",
+                                   "ice.flexural_strength=690 kPa", "ice.compressive_strength=2.9 MPa",
+                                   "ice.friction_structure=0.1"}),
+                    id),
+               id);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_angle_without_its_unit_is_warned_of_and_one_that_is_meant_is_not) {
   const auto text = [](const std::string& setting) {
     const model::Case c =
@@ -304,10 +326,13 @@ BOOST_AUTO_TEST_CASE(a_hull_askew_whose_inertia_is_stated_gives_no_warning) {
                         "structure.motion.added_inertia=[1e6,1e7,1e6]"}));
 }
 
-BOOST_AUTO_TEST_CASE(the_source_of_a_reference_is_idle_without_its_value) {
+BOOST_AUTO_TEST_CASE(the_source_of_a_reference_is_idle_without_its_value_unless_it_names_a_basin) {
   model::Case c = validation();
   c.reference.mean_horizontal.reset();
+  c.reference.source = "a pier";
   BOOST_TEST(says(text_of(simulation::derived_scales(c).warnings, "idle-keys"), "reference.source needs "));
+  c.reference.source = "ice of a model basin";
+  BOOST_TEST(text_of(simulation::derived_scales(c).warnings, "idle-keys") == "");
 }
 
 BOOST_AUTO_TEST_CASE(the_laws_of_generated_floes_are_idle_beside_a_file_of_floes) {

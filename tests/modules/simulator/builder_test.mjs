@@ -2,7 +2,7 @@
 // The case builder of `brash new --page`: what it writes, `brash check` reads; it is accessible and asks no network.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { rmSync, writeFileSync } from "node:fs";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browse, expectAccessible, offPaper, onPaper, scratch } from "../report/browser.mjs";
@@ -34,21 +34,34 @@ test("a new case is one that brash check reads", () => {
   assert.equal(brash("new", "--page", page_file).status, 2);
 });
 
-test("the ice of a site comes with its sources, and goes again", async () => {
+test("the page begins as a new case with the ice of a site does", async () => {
+  const page = await openPage(browser, page_file);
+  const text = await page.locator("textarea").inputValue();
+  assert.equal(text, brash("new", "--ice", "baltic").stdout);
+  assert.match(text, /^preset = "brash"/m);
+  assert.equal(await page.locator("#site-ice").inputValue(), "baltic");
+  assert.equal(await page.locator(".warnings:visible").count(), 0);
+  await page.close();
+});
+
+test("the ice of a site comes with its sources, as brash new writes it", async () => {
   const page = await openPage(browser, page_file);
   const [text, choice] = [page.locator("textarea"), page.locator("#site-ice")];
-  const first = await text.inputValue();
-  await choice.selectOption("baltic");
+  // A section that has lost its keys stays.
+  const keys = (toml) => toml.split("\n").filter((line) => /^#/.test(line) || /^(thickness|density|\w+_modulus|\w+_strength|friction_\w+) /.test(line))
+    .map((line) => line.replace(/ {2,}#.*/, "")).sort();
+  for (const ice of ["bohai", "arctic", "basin", "baltic"]) {
+    await choice.selectOption(ice);
+    assert.deepEqual(keys(await text.inputValue()), keys(brash("new", "--ice", ice).stdout), ice);
+    assert.equal(await choice.inputValue(), ice);
+  }
   const file = join(folder, "baltic.toml");
   writeFileSync(file, await text.inputValue());
   const checked = brash("check", file);
   assert.equal(checked.status, 0, checked.stderr);
   assert.match(checked.stdout, /^youngs_modulus = 3100000000/m);
-  assert.match(await text.inputValue(), /^flexural_strength = "690 kPa" {2}# baltic: Derived: .*Timco and O'Brien 1994.*v_b = 0.0251/m);
+  assert.match(await text.inputValue(), /^# Derived: 1\.76 .*\(Timco and O'Brien 1994\)[^]*?^flexural_strength = "690 kPa" {2,}# Flexural strength/m);
   assert.equal(await page.locator("#key-ice-friction_structure").inputValue(), "0.1");
-  await choice.selectOption("basin");
-  const values = (toml) => toml.split("\n").map((line) => line.replace(/ {2,}# /, "  # ")).join("\n");
-  assert.equal(values(await text.inputValue()), values(first));
   await page.close();
 });
 
@@ -67,7 +80,6 @@ test("the form writes a case file, and what is written shows in the form", async
   assert.match(checked.stdout, /^thickness = 0\.45 /m);
   assert.match(checked.stdout, /^speed = 1\.5 /m);
   assert.match(checked.stdout, /^model = "wedge"/m);
-  assert.match(text, /^thickness = "45 cm" {2}# Table 1$/m, "comments stay");
   assert.ok(!/^friction_ice/m.test(text), "an empty field is no key");
   await page.locator("textarea").fill(text.replace("1.5", "2.25"));
   assert.equal(await page.locator("#key-structure-speed").inputValue(), "2.25");
@@ -75,6 +87,61 @@ test("the form writes a case file, and what is written shows in the form", async
   assert.equal(await page.locator("#key-structure-entrance").isVisible(), false);
   await page.locator("#key-structure-kind").selectOption("wedge-bow");
   assert.equal(await page.locator("#key-structure-entrance").isVisible(), true);
+  await page.close();
+});
+
+test("comments and a measured load follow the values that they are of", async () => {
+  const page = await openPage(browser, page_file);
+  const text = page.locator("textarea");
+  await page.locator("#key-ice-flexural_strength").fill("450 kPa");
+  let now = await text.inputValue();
+  assert.match(now, /^flexural_strength = "450 kPa" {2}# Flexural strength sigma_f\./m, "the meaning stays");
+  assert.doesNotMatch(now, /Derived: 1\.76 exp/, "the source of the former value goes");
+  assert.match(now, /Derived: effective modulus/, "other sources stay");
+  assert.doesNotMatch(now, /^# Ice: /m, "it is no more the ice of that site");
+  assert.equal(await page.locator("#site-ice").inputValue(), "");
+  // A case with a measured load, and sources behind its values.
+  await text.fill(readFileSync(join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), "utf8"));
+  await page.locator("#key-time-duration").fill("30");
+  assert.match(await text.inputValue(), /^mean_horizontal = "111\.8 kN"/m, "a longer run has the same load");
+  await page.locator("#key-ice-thickness").fill("45 cm");
+  now = await text.inputValue();
+  assert.match(now, /^thickness = "45 cm"$/m);
+  assert.match(now, /^youngs_modulus = "0\.35 GPa" +# Table 1$/m);
+  assert.doesNotMatch(now, /mean_horizontal|"measured in/);
+  await page.evaluate(() => window.brashSimulator.store.checked);
+  assert.match(await page.locator(".warnings").first().innerText(), /reference\.mean_horizontal = "111\.8 kN" was measured in the case before this change/);
+  const file = join(folder, "changed.toml");
+  writeFileSync(file, now);
+  assert.equal(brash("check", file).status, 0);
+  await page.close();
+});
+
+test("values that no ice has are warned of as brash check does", async () => {
+  const page = await openPage(browser, page_file);
+  const ids = async () => {
+    await page.evaluate(() => window.brashSimulator.store.checked);
+    return page.locator(".warnings:visible code").allTextContents();
+  };
+  const plausible = ["thickness", "density", "youngs-modulus", "flexural-strength", "compressive-strength", "friction-structure", "fast-current"];
+  const file = join(folder, "doubtful.toml");
+  for (const [key, value, expected] of [
+    ["structure-start_distance", "9 m", []], ["ice-flexural_strength", "0.7", ["flexural-strength"]], ["ice-flexural_strength", "690 kPa", []],
+    ["ice-youngs_modulus", "350 MPa", ["youngs-modulus"]], ["ice-thickness", "5 cm", []], ["ice-thickness", "6 m", ["thickness", "youngs-modulus"]],
+    ["ice-thickness", "0.4 m", ["youngs-modulus"]], ["reference-source", "a model basin", []], ["reference-source", "", ["youngs-modulus"]],
+    ["ice-youngs_modulus", "3.1 GPa", []], ["ice-friction_structure", "", ["friction-structure"]], ["ice-friction_structure", "0.1", []],
+    ["water-current", "[9, 0]", ["fast-current"]], ["water-current", "[\"3 m/s\", \"-3 m/s\"]", []], ["water-current", "", []],
+  ]) {
+    const field = page.locator(`#key-${key}`);
+    if (!(await field.isVisible())) await page.locator(`details:has(#key-${key}) > summary`).click();
+    await field.fill(value);
+    assert.deepEqual(await ids(), expected, `${key} = ${value}`);
+    assert.equal(await page.locator(".doubt:visible").count(), expected.length, "each beside its field");
+    writeFileSync(file, await page.locator("textarea").inputValue());
+    const said = brash("check", file).stderr;
+    const native = plausible.filter((id) => said.includes(`warning: ${id}:`));
+    assert.deepEqual(native.sort(), [...expected].sort(), `${key} = ${value}: ${said}`);
+  }
   await page.close();
 });
 

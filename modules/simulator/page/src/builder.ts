@@ -5,6 +5,7 @@ import { number } from "../../../report/viewer/src/format";
 import { isOnPaper, onRefit } from "../../../report/viewer/src/paper";
 import { saveText } from "../../../report/viewer/src/save";
 import { tomlOf, typedOf, valueIn } from "./case_text";
+import { plausibleText } from "./plausible";
 import { iceChoice } from "./site_ice";
 import { type KeySchema, ofKind, readSchema, type Section, sectionsOf } from "./schema";
 import type { CaseStore } from "./store";
@@ -28,13 +29,15 @@ function meaning(schema: KeySchema): string {
   const range = least === undefined && most === undefined ? "" : `Range: ${bound(least)} to ${bound(most)}. `;
   const usual = schema.default === undefined || schema.default === "" || schema["x-of-kinds"] ? "" : `Default: ${hint(schema)}. `;
   const presets = Object.entries(schema["x-presets"] ?? {}).map(([name, value]) => `With the preset ${name}: ${JSON.stringify(value)}. `).join("");
-  return `${unit}${range}${usual}${presets}`.trim();
+  return `${unit}${range}${plausibleText(schema)}${usual}${presets}`.trim();
 }
 
 /** One key of the form. */
 class Field {
   readonly element: HTMLElement;
   private readonly input: HTMLInputElement | HTMLSelectElement;
+  /** The warning about the value, beside it: on a narrow page the others are far below. */
+  private readonly doubt = el("p", { class: "doubt", hidden: true });
 
   /** @param usual  the kind of a section that names none. */
   constructor(private readonly store: CaseStore, private readonly section: string, private readonly key: string, private readonly schema: KeySchema,
@@ -44,6 +47,7 @@ class Field {
     this.element = el("div", { class: "field" },
       el("label", { for: id }, el("code", {}, key), required && el("b", { class: "required" }, " required")),
       this.input,
+      this.doubt,
       el("p", { class: "meaning", id: `${id}-meaning` }, schema.description ?? "", " ", el("small", {}, meaning(schema))));
     this.input.setAttribute("aria-describedby", `${id}-meaning`);
     store.onChange(() => this.follow());
@@ -74,6 +78,9 @@ class Field {
         if (option.value === "") option.textContent = this.required ? "choose" : `default: ${hint(schema)}`;
         else option.hidden = schema.enum?.includes(option.value) === false && option.value !== shown;
     }
+    const doubt = this.store.warnings.find(({ text }) => text.startsWith(`${this.section}.${this.key} = `));
+    this.doubt.textContent = doubt?.text ?? "";
+    this.doubt.hidden = doubt === undefined;
     this.element.classList.toggle("unset", written === null);
     this.element.hidden = written === null && kinds !== undefined && this.section === "structure" && !kinds.includes(kind);
     // The program names the keys that it refuses.
@@ -135,7 +142,7 @@ export function builderSection(store: CaseStore, file: HTMLElement, messages: HT
   const form = el("div", { class: "form" }, ...sections);
   openForPaper(form, sections);
   const note = store.core ? ["Every message is the program's own."]
-    : ["This page checks names, choices and ranges. ", el("code", {}, "brash check"), " also reads units and knows which keys go together."];
+    : ["This page checks names, choices and ranges, and warns of values that no ice has. ", el("code", {}, "brash check"), " also reads all units and knows which keys go together."];
   return section("builder", "Case builder",
     el("p", { class: "do" }, "Every key of a case, its unit, range, default and source. An empty field takes its default, which is shown in grey. ", ...note),
     iceChoice(store),

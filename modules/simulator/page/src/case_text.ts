@@ -18,6 +18,9 @@ function parts(line: string): { code: string; comment: string; open: number } {
   };
 }
 
+/** Columns of comment lines. */
+const kColumns = 100;
+
 interface Entry {
   key: string;
   /** On one line. */
@@ -76,11 +79,6 @@ export function valueIn(toml: string, section: string, key: string): string | nu
   return find(toml.split("\n"), section, key).entry?.value ?? null;
 }
 
-/** The comment behind the value of a key; "" where there is none. */
-export function commentIn(toml: string, section: string, key: string): string {
-  return find(toml.split("\n"), section, key).entry?.comment ?? "";
-}
-
 /**
  * The text with a key of this value; without the key, if the value is null.
  * @param comment in place of the one behind the value, which stays by default.
@@ -100,6 +98,48 @@ export function withValue(toml: string, section: string, key: string, value: str
     lines.push("", `[${section}]`, written(comment ?? ""), "");
   }
   return lines.join("\n").replace(/^\n+/, "");
+}
+
+/** Text of comment lines without their marks, on one line. */
+const commentText = (lines: string[]): string => lines.map((line) => line.replace(/^\s*#\s*/, "").trim()).join(" ");
+
+/** Whether a comment begins as the meaning of its key does. */
+function isMeaning(comment: string, meaning: string): boolean {
+  const [first] = comment.split(/(?<=\.) /);
+  return first !== "" && meaning.startsWith(first);
+}
+
+/** The text without comments on the value of a key, behind it and above it; the meaning of the key stays. */
+export function withoutSource(toml: string, section: string, key: string, meaning: string): string {
+  const lines = toml.split("\n");
+  const { line, entry } = find(lines, section, key);
+  if (!entry) return toml;
+  let above = line;
+  while (above > 0 && /^\s*#/.test(lines[above - 1])) --above;
+  const block = lines.slice(above, line);
+  const ice = block.findIndex((each) => /^\s*# Ice \(/.test(each));  // as the template marks the source of a site's value
+  const kept = !isMeaning(commentText(block), meaning) ? 0 : ice < 0 ? block.length : ice;
+  lines.splice(above + kept, block.length - kept);
+  const behind = isMeaning(commentText([entry.comment]), meaning) ? entry.comment : "";
+  return withValue(lines.join("\n"), section, key, entry.value, behind);
+}
+
+/** The text with another value of a key, and without comments on the former one. */
+export function withChange(toml: string, section: string, key: string, value: string | null, meaning: string): string {
+  const isSame = valueIn(toml, section, key) === value;
+  return isSame ? toml : withValue(withoutSource(toml, section, key, meaning), section, key, value);
+}
+
+/** The text with the source of a value in comment lines above it, as `brash new` writes them. */
+export function withSource(toml: string, section: string, key: string, source: string): string {
+  const lines = toml.split("\n");
+  const comment = ["#"];
+  for (const word of source.split(" ")) {
+    if (comment.at(-1)!.length + 1 + word.length > kColumns) comment.push("#");
+    comment.push(`${comment.pop()} ${word}`);
+  }
+  lines.splice(find(lines, section, key).line, 0, ...comment);
+  return lines.join("\n");
 }
 
 /** What a reader typed as a value of TOML: a number, a truth, an array, or else a text. */

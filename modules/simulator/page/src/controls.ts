@@ -82,7 +82,7 @@ export function messages(store: CaseStore): HTMLElement {
   store.onChange(() => {
     if (error.textContent !== store.error) error.textContent = store.error;
     error.hidden = store.error === "";
-    const all = store.error === "" ? (store.description?.warnings ?? []) : [];
+    const all = store.error === "" ? store.warnings : [];
     box.hidden = all.length === 0;
     warnings.replaceChildren(...all.map(({ id, text }) => el("li", {}, el("code", {}, id), ` ${text}`)));
   });

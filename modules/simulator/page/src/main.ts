@@ -35,7 +35,7 @@ async function main(): Promise<void> {
   parent.append(loading);
   const core = await Core.start();
   loading.remove();
-  const store = new CaseStore(core, document.getElementById("brash-template")!.textContent!, "cone.toml");
+  const store = new CaseStore(core, document.getElementById("brash-template")!.textContent!, core ? "cone.toml" : "mine.toml");
   const simulation = core ? new Simulation(store) : null;
   window.brashSimulator = { store, simulation, core };
   const retheme = () => {

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON Schema of a case as the form needs it.
 
+/** Values that have been measured [SI]. */
+export interface Range {
+  least: number;
+  most: number;
+  source: string;
+}
+
 export interface KeySchema {
   type?: string | string[];
   enum?: string[];
@@ -19,6 +26,8 @@ export interface KeySchema {
   "x-presets"?: Record<string, unknown>;
   "x-required"?: boolean;
   "x-short-for"?: string;
+  /** Values beyond these are warned of. */
+  "x-plausible"?: { warning: string; sea: Range; model?: Range };
 }
 
 export interface Section {
@@ -44,6 +53,12 @@ export function sectionsOf(schema: KeySchema, prefix = ""): Section[] {
 export function ofKind(key: KeySchema, kind: string): KeySchema {
   const names = key["x-of-kinds"]?.[kind];
   return names ? { ...key, enum: names, default: names.includes(key.default as string) ? key.default : names[0] } : key;
+}
+
+/** What a key means, as the schema has it. */
+export function meaningOf(section: string, key: string): string {
+  const of = sectionsOf(readSchema()).find(({ name }) => name === section);
+  return of?.keys.find(({ name }) => name === key)?.schema.description ?? "";
 }
 
 export function readSchema(): KeySchema {

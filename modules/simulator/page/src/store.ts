@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The case of the page: its text, and what the core says of it. Controls and builder change the text; all follow it.
 import { type InputValue, parseToml } from "../../../report/viewer/src/data";
-import { withValue } from "./case_text";
+import { typedOf, valueIn, withChange } from "./case_text";
 import { type Core, type Description, Refused } from "./core";
 import { complaintsOf } from "./plain_checks";
+import { namesABasin, type Warning, warningsOf } from "./plausible";
+import { meaningOf } from "./schema";
+import { withoutIceName } from "./site_ice";
+
+/** Sections whose values change no load. */
+const kWithoutLoad = ["time", "random", "output", "reference"];
 
 /** Time without a change after which a text is checked [ms]. */
 const kPause = 250;
@@ -15,6 +21,10 @@ export class CaseStore {
   /** The program's own message; empty where there is none. */
   error = "";
   checked: Promise<void> = Promise.resolve();
+  /** The program's warnings; without it, the warnings of the page. */
+  warnings: Warning[] = [];
+  /** Of a change that the page made on its own. */
+  private note = "";
   private listeners: (() => void)[] = [];
   private timer = 0;
   private nChanges = 0;
@@ -25,9 +35,11 @@ export class CaseStore {
     this.listeners.push(listener);
   }
 
-  set(text: string, name = this.name): void {
+  /** @param note  of a change that the page made on its own. */
+  set(text: string, name = this.name, note = this.name === name ? this.note : ""): void {
     this.text = text;
     this.name = name;
+    this.note = note;
     clearTimeout(this.timer);
     this.checked = new Promise((done) => {
       this.timer = window.setTimeout(() => void this.check().then(done), kPause);
@@ -35,8 +47,21 @@ export class CaseStore {
     this.notify();
   }
 
+  /** Writes a key. Comments on its former value go with that. */
   setKey(section: string, key: string, value: string | null): void {
-    this.set(withValue(this.text, section, key, value));
+    const changed = withChange(this.text, section, key, value, meaningOf(section, key));
+    if (changed === this.text || kWithoutLoad.includes(section)) this.set(changed);
+    else this.alter(withoutIceName(changed, section, key));
+  }
+
+  /** Takes a text of another load: one that was measured with the former text goes, but not the name of its basin. */
+  alter(text: string): void {
+    const measured = valueIn(text, "reference", "mean_horizontal");
+    if (measured === null) return this.set(text);
+    const source = typedOf(valueIn(text, "reference", "source") ?? "");
+    const rest = withChange(text, "reference", "mean_horizontal", null, "");
+    const note = `reference.mean_horizontal = ${measured} was measured in the case before this change, and is removed: write it again if it holds for this case`;
+    this.set(withChange(rest, "reference", "source", namesABasin(source) ? JSON.stringify("ice of a model basin") : null, ""), this.name, note);
   }
 
   /** Asks the core; without one, looks at the schema alone. */
@@ -66,6 +91,8 @@ export class CaseStore {
   }
 
   private notify(): void {
+    const own = this.note === "" ? [] : [{ id: "reference", text: this.note }];
+    this.warnings = [...own, ...(this.core ? (this.description?.warnings ?? []) : warningsOf(this.text))];
     for (const listener of this.listeners) listener();
   }
 }
