@@ -231,6 +231,13 @@ double FloePopulation::potential_energy(const rigid_body::World& world) const {
                              [&](std::size_t i) { return raised(world, moving[i], at(moving[i])); });
 }
 
+double FloePopulation::gained_by_parting(const rigid_body::World& world, BodyId body) const {
+  const std::optional<Pose> unparted = world.unparted_pose(body);
+  if (!unparted) return 0.0;
+  const double before = potential(at(body), *unparted, case_->water.density);
+  return potential(at(body), world.pose(body), case_->water.density) - before;
+}
+
 double FloePopulation::energy(const rigid_body::World& world, BodyId body, const Floe& floe) const {
   return world.kinetic_energy(body) + raised(world, body, floe);
 }

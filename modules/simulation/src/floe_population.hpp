@@ -132,6 +132,9 @@ class FloePopulation {
   /// Kinetic and potential energy of `floe`, whose body is `body` [J].
   double energy(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
+  /// Potential energy that the last step gave a floe by parting it from bodies that it overlapped [J].
+  double gained_by_parting(const rigid_body::World& world, BodyId body) const;
+
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit("next_id", "1", "floe_id of the next floe", self.next_id_);

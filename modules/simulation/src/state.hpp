@@ -98,6 +98,9 @@ struct Step {
   StageTimer timer;
 };
 
+/// The laws of contact of a case.
+rigid_body::WorldSettings world_settings(const model::Case& c);
+
 /// The criterion of more level ice; ice of the same kind shares one.
 void add_criterion(State& s, const Laws& laws, const ice::Plate& plate);
 

@@ -61,6 +61,26 @@ double compression_against_a_wall(double speed) {
   return pool.floes.at(floe).stress.peak_compression;
 }
 
+/// Force of a wall on a floe of 1 m by 1 m that 1 MN presses 1 mm into it, in the first step [N].
+double force_of_a_wall(const std::string& bound) {
+  Pool pool({"contact.crushing_bound=" + bound});
+  const BodyId floe = pool.add({0, -0.5}, {1, 0.5}, {});
+  const std::vector<Vec3> block{{-1, -2, -1}, {0, -2, -1}, {0, 2, -1}, {-1, 2, -1},
+                                {-1, -2, 1},  {0, -2, 1},  {0, 2, 1},  {-1, 2, 1}};
+  pool.world.add_structure(std::span(&block, 1), {{0.001, 0.0, 0.0}, {}});
+  pool.world.apply(floe, {{-1e6, 0.0, 0.0}, {}});
+  (void)pool.step(0.01);
+  double force = 0.0;
+  for (const rigid_body::ContactLoad& contact : pool.world.contacts()) force += contact.normal_force;
+  return force;
+}
+
+BOOST_AUTO_TEST_CASE(floes_are_rigid_where_the_crushing_bound_is_of_level_ice_alone) {
+  // sigma_c R on a face of 1 m by 0.33 m; a rigid floe at rest bears its whole load.
+  BOOST_TEST(force_of_a_wall("all") == 0.5e6 * 0.33, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(force_of_a_wall("level-ice") == 1e6, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_CASE(a_floe_held_at_one_end_has_the_same_stress_at_rest_and_on_its_way) {
   // The wall bears 10 kN at 1 m from the middle, so the mean stress is 10 kN m over the volume.
   const double expected = 1e4 / (2.0 * 0.33);

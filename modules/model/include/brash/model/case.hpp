@@ -134,6 +134,7 @@ struct ContactSection {
   ContactEngine engine = ContactEngine::kBrash;
   double restitution = 0.0;
   ContactArea area = ContactArea::kSurface;
+  CrushingBound crushing_bound = CrushingBound::kAll;
   double margin = 0.005;
   int iterations = 30;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]

@@ -220,6 +220,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "engine", c.contact.engine);
   visit("contact", "restitution", c.contact.restitution);
   visit("contact", "area", c.contact.area);
+  visit("contact", "crushing_bound", c.contact.crushing_bound);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
   visit("contact", "stiffness", c.contact.stiffness);

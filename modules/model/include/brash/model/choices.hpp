@@ -75,6 +75,11 @@ enum class ContactEngine {
   kBrash,  ///< exact overlaps and a bounded solver, without a history
   kBullet  ///< Bullet as it is, with the crushing bound
 };
+/// [contact] crushing_bound: the contacts that Eq. 16 limits.
+enum class CrushingBound {
+  kAll,      ///< of all bodies: ice yields wherever it is pressed
+  kLevelIce  ///< of the structure and level ice alone: floes are rigid
+};
 /// [hydrodynamics] drag: where the velocity of Eq. 13 is taken.
 enum class DragLaw {
   kSurface,  ///< on each element of the wetted surface; the same law brakes rotation
@@ -159,6 +164,9 @@ inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{
 template <>
 inline constexpr auto kNames<ContactEngine> = std::to_array<Named<ContactEngine>>({{ContactEngine::kBrash, "brash"},
                                                                                    {ContactEngine::kBullet, "bullet"}});
+template <>
+inline constexpr auto kNames<CrushingBound> =
+    std::to_array<Named<CrushingBound>>({{CrushingBound::kAll, "all"}, {CrushingBound::kLevelIce, "level-ice"}});
 template <>
 inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
                                                                        {DragLaw::kPaper, "paper"}});
