@@ -59,7 +59,8 @@ Laws::Laws(const model::Case& c)
       hull_reach(hull->reach()),
       regions(structure::regions_of(c.structure, *hull)),
       pattern(ice::make_crack_pattern(c.failure)),
-      water(resolved) {}
+      water(resolved),
+      stress(c.contact) {}
 
 State::State(const Laws& laws, ice::Field laid, Workers& workers)
     : motion(structure::make_motion(laws.resolved, *laws.hull)),

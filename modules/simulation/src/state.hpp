@@ -38,6 +38,7 @@ struct Laws {
   std::optional<const structure::Regions> regions;  ///< of the structure, for its loads
   std::unique_ptr<const ice::CrackPattern> pattern;
   FloeWater water;
+  StressLaw stress;
 };
 
 /// All that the next step depends on. What a checkpoint holds of it: checkpoint_of(); the rest is made again.

@@ -297,6 +297,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("failure", "pieces") == names_in_model<Pieces>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
   BOOST_TEST(names_in_schema("contact", "crushing_bound") == names_in_model<CrushingBound>());
+  BOOST_TEST(names_in_schema("contact", "floe_stress") == names_in_model<FloeStress>());
   BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
   BOOST_TEST(names_in_schema("hydrodynamics", "form_drag_along") == names_in_model<FormDragAlong>());

@@ -44,6 +44,11 @@ struct Pool {
     return row;
   }
 
+  /// The contacts of the last step, of `dt`, go into the stress of the floes.
+  void take_stress(double dt) {
+    update_stress(world, contacts_by_place(world), StressLaw(resolved.contact), dt, floes);
+  }
+
   void remove(BodyId floe) {
     sleep.forget(floes, floe);
     (void)floes.remove(world, floe);

@@ -139,6 +139,7 @@ struct ContactSection {
   int iterations = 30;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
+  FloeStress floe_stress = FloeStress::kAveraged;  ///< that deletes them
 
   friend bool operator==(const ContactSection&, const ContactSection&) = default;
 };

@@ -225,6 +225,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "iterations", c.contact.iterations);
   visit("contact", "stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
+  visit("contact", "floe_stress", c.contact.floe_stress);
   visit("hydrodynamics", "drag", c.hydrodynamics.drag);
   visit("hydrodynamics", "shading", c.hydrodynamics.shading);
   visit("hydrodynamics", "shading_gap", c.hydrodynamics.shading_gap);

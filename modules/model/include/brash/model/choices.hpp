@@ -80,6 +80,12 @@ enum class CrushingBound {
   kAll,      ///< of all bodies: ice yields wherever it is pressed
   kLevelIce  ///< of the structure and level ice alone: floes are rigid
 };
+/// [contact] floe_stress: the stress that crushes a floe.
+enum class FloeStress {
+  kAveraged,  ///< the mean over the floe and over its collision time
+  kStep,      ///< the mean over the floe in a step
+  kContact    ///< the normal force of a contact over its area, in a step
+};
 /// [hydrodynamics] drag: where the velocity of Eq. 13 is taken.
 enum class DragLaw {
   kSurface,  ///< on each element of the wetted surface; the same law brakes rotation
@@ -167,6 +173,10 @@ inline constexpr auto kNames<ContactEngine> = std::to_array<Named<ContactEngine>
 template <>
 inline constexpr auto kNames<CrushingBound> =
     std::to_array<Named<CrushingBound>>({{CrushingBound::kAll, "all"}, {CrushingBound::kLevelIce, "level-ice"}});
+template <>
+inline constexpr auto kNames<FloeStress> = std::to_array<Named<FloeStress>>({{FloeStress::kAveraged, "averaged"},
+                                                                             {FloeStress::kStep, "step"},
+                                                                             {FloeStress::kContact, "contact"}});
 template <>
 inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
                                                                        {DragLaw::kPaper, "paper"}});
