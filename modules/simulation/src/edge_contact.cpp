@@ -41,6 +41,18 @@ std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose
   return model.hull.sides(pose, heights.bottom + shift, heights.top + shift, {extent.lower, extent.upper});
 }
 
+bool ice_leaves(const EdgeModel& model) { return model.resolved.failure.crushed_ice == model::CrushedIce::kLeaves; }
+
+/// The plan of the ice under the structure over the plan of its surface inside the ice. The surface loads ice that it
+/// has passed through too, where such ice stays.
+double covered_share(const EdgeModel& model, const std::vector<structure::Patch>& patches,
+                     const geometry::Polygon& overlap) {
+  if (ice_leaves(model)) return 1.0;
+  double plan_area = 0.0;
+  for (const structure::Patch& patch : patches) plan_area += patch.plan_area;
+  return plan_area > 0.0 ? geometry::area(overlap).square_metres() / plan_area : 1.0;
+}
+
 /// The crushing load of a contact on the ice.
 struct Crushing {
   Vec3 force{};                    ///< with friction [N]
@@ -69,12 +81,13 @@ Crushing crushing(const EdgeModel& model, const structure::State& state, const g
   const bool projected = c.contact.area == model::ContactArea::kProjected;
   const double thicker = model.ice.thickness / c.ice.thickness;
   Crushing sum;
-  const auto faces = sides(model, state.pose, overlap, shift);
-  for (const structure::Patch& patch : structure::patches_within(faces, rings_in_metres(overlap))) {
+  const auto patches = structure::patches_within(sides(model, state.pose, overlap, shift), rings_in_metres(overlap));
+  const double covered = projected ? covered_share(model, patches, overlap) : 1.0;
+  for (const structure::Patch& patch : patches) {
     const Vec3 velocity = velocity_at(state.twist, patch.centroid - state.pose.position);
     const double into_ice = dot(velocity, patch.normal);
     if (into_ice <= 0.0) continue;  // slides past or leaves
-    const double area = thicker * (projected ? patch.plan_area : patch.area);
+    const double area = thicker * (projected ? covered * patch.plan_area : patch.area);
     const Vec3 slip = velocity - into_ice * patch.normal;
     const Vec3 friction = norm(slip) > 0.0 ? c.ice.friction_structure * normalized(slip) : Vec3{};
     const Vec3 force = failure::crushing_force(model.ice, area) * (patch.normal + friction);
@@ -225,12 +238,14 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
 }
 
 std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose) {
+  if (!ice_leaves(model)) return {};
   const Freeboard heights = freeboard(model.resolved);
   const double middle = 0.5 * (heights.top + heights.bottom);
   return on_grid(model.hull.footprint(pose, middle, middle).leading);
 }
 
 std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose, double shift) {
+  if (!ice_leaves(model)) return {};
   return on_grid(footprint(model, pose, shift).trailing);
 }
 

@@ -294,6 +294,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
   BOOST_TEST(names_in_schema("failure", "pattern") == names_in_model<CrackPattern>());
+  BOOST_TEST(names_in_schema("failure", "crushed_ice") == names_in_model<CrushedIce>());
   BOOST_TEST(names_in_schema("failure", "pieces") == names_in_model<Pieces>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
   BOOST_TEST(names_in_schema("contact", "crushing_bound") == names_in_model<CrushingBound>());

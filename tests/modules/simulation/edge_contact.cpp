@@ -58,6 +58,28 @@ struct Scene {
   }
 };
 
+BOOST_AUTO_TEST_CASE(projected_ice_that_stays_crushes_with_all_the_plan_under_the_structure) {
+  Scene scene;
+  const auto bound_at = [&](double x) { return scene.assessed(Listening(false), {x, 0.0}).front().bound; };
+  scene.resolved.contact.area = model::ContactArea::kProjected;
+  const double leaves = bound_at(-5.0);
+  scene.resolved.failure.crushed_ice = model::CrushedIce::kStays;
+  const double stays = bound_at(-5.0);
+  // The cone's section is largest at the top of the ice. Its segment beyond the edge is covered.
+  const double top = 6.8 + simulation::freeboard(scene.resolved).top / std::tan(radians(61.4));
+  const double half_angle = std::acos(5.0 / top);
+  const double segment = top * top * (half_angle - std::sin(half_angle) * std::cos(half_angle));
+  // The normals spread over 2 x 42.6 degrees in plan, and their sum is sin(a) / a as long as if they did not.
+  const double slope = radians(61.4), plan = std::sin(half_angle) / half_angle * std::sin(slope);
+  BOOST_TEST(stays == 0.5e6 * segment * std::hypot(plan, std::cos(slope)), boost::test_tools::tolerance(0.02));
+  // The ring between the sections at top and bottom is 0.18 m wide.
+  BOOST_TEST(leaves < 0.4 * stays);
+  const Listening criterion(false);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
+  BOOST_TEST(simulation::middle_outlines(model, {{-5.0, 0.0, 0.0}, {}}).empty());
+  BOOST_TEST(simulation::trailing_outlines(model, {{-5.0, 0.0, 0.0}, {}}).empty());
+}
+
 BOOST_AUTO_TEST_CASE(only_a_criterion_that_asks_gets_the_outline) {
   Scene scene;
   BOOST_TEST(scene.load(false).outline.empty());

@@ -124,6 +124,7 @@ struct FailureSection {
   EdgeMotion edge = EdgeMotion::kDynamic;
   JudgedAt judged = JudgedAt::kAnywhere;
   CrackPattern pattern = CrackPattern::kStress;
+  CrushedIce crushed_ice = CrushedIce::kLeaves;
   Pieces pieces = Pieces::kBreak;  ///< whether floes break again
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;

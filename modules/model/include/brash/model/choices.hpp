@@ -60,6 +60,11 @@ enum class CrackPattern {
   kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
   kStress  ///< a crack along the stress to the free edge, with radial cracks
 };
+/// [failure] crushed_ice: whether ice leaves that the structure has passed through.
+enum class CrushedIce {
+  kLeaves,  ///< it leaves the sheet, and pieces are born without it
+  kStays    ///< only cracks change the sheet
+};
 /// [failure] pieces: whether floes break again.
 enum class Pieces {
   kBreak,  ///< in the section where they bend most
@@ -161,6 +166,9 @@ inline constexpr auto kNames<EdgeMotion> = std::to_array<Named<EdgeMotion>>({{Ed
 template <>
 inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
                                                                                  {CrackPattern::kStress, "stress"}});
+template <>
+inline constexpr auto kNames<CrushedIce> = std::to_array<Named<CrushedIce>>({{CrushedIce::kLeaves, "leaves"},
+                                                                             {CrushedIce::kStays, "stays"}});
 template <>
 inline constexpr auto kNames<Pieces> = std::to_array<Named<Pieces>>({{Pieces::kBreak, "break"},
                                                                      {Pieces::kWhole, "whole"}});
