@@ -94,6 +94,9 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.knows_field, {"failure", "pattern"},
                  {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
                  "stress with failure.model = \"plate-outline\"", "take this model, or disc");
+  checks.require(c.failure.pressure != model::EdgePressure::kContact || takes.meta_model, {"failure", "pressure"},
+                 {"failure", "model"}, fmt::format("the model {} needs the force on the edge", name),
+                 "contact with failure.model = \"network\" or \"deep-network\"", "take one of these models, or edge");
   checks.require(c.failure.file.empty() || takes.file, {"failure", "file"}, {"failure", "model"},
                  fmt::format("the model {} reads no file", name),
                  "a file with failure.model = \"network\", \"deep-network\" or \"superposition\"",

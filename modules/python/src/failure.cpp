@@ -215,6 +215,7 @@ Case with_model(const Case& c, model::FailureModel model) {
   if (!takes.knows_field) changes["failure.judged"] = "centre-line", changes["failure.pattern"] = "disc";
   if (!takes.moving_edge) changes["failure.edge"] = "static";
   if (!takes.joint_loads) changes["failure.joint_loads"] = false;
+  if (!takes.meta_model) changes["failure.pressure"] = "edge";
   return with_changes(c, changes);
 }
 

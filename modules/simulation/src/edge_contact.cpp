@@ -125,6 +125,13 @@ Crushing crushing_shifted(const EdgeModel& model, const geometry::IceSheet& shee
   return sum;
 }
 
+/// p of a contact with the structure [Pa], Eqs. 17 and 19.
+/// @param in_plane  N [N].
+double pressure_on(const EdgeModel& model, const EdgeContact& contact, double in_plane) {
+  if (model.resolved.failure.pressure == model::EdgePressure::kContact) return contact.bound / contact.area;
+  return in_plane / (contact.region.contact_length * model.ice.thickness);
+}
+
 /// The load of a contact with the structure, also as the failure model takes it: N along the chord's normal, f along
 /// the chord, P vertical.
 void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& contact) {
@@ -147,7 +154,7 @@ void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& 
                   .angle = contact.wedge.angle,
                   .mu1 = std::max(std::abs(crushed.force.z) / in_plane, kLeastMu1),
                   .mu2 = dot(plan(crushed.force), perpendicular(normal)) / in_plane,
-                  .pressure = in_plane / (contact.region.contact_length * model.ice.thickness)};
+                  .pressure = pressure_on(model, contact, in_plane)};
 }
 
 /// The wedge behind the chord, which the crushed tip has become.

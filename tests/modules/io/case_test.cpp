@@ -100,6 +100,13 @@ BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out)
   BOOST_CHECK_THROW(read_case(kValidation, {"failure.model=wedge", "failure.second_order=true"}), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(readings_of_the_meta_model_need_a_network) {
+  const auto failure_of = [](std::vector<std::string> keys) { return read_case(kValidation, keys).failure; };
+  BOOST_TEST((failure_of({"failure.pressure=contact"}).pressure == EdgePressure::kContact));
+  BOOST_TEST((failure_of({}).pressure == EdgePressure::kEdge));
+  BOOST_CHECK_THROW(failure_of({"failure.model=wedge", "failure.pressure=contact"}), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other_keys_take) {
   const auto water_of = [](std::vector<std::string> keys) {
     keys.emplace_back("algorithm.preset=brash");
@@ -294,6 +301,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
   BOOST_TEST(names_in_schema("failure", "pattern") == names_in_model<CrackPattern>());
+  BOOST_TEST(names_in_schema("failure", "pressure") == names_in_model<EdgePressure>());
   BOOST_TEST(names_in_schema("failure", "crushed_ice") == names_in_model<CrushedIce>());
   BOOST_TEST(names_in_schema("failure", "pieces") == names_in_model<Pieces>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());

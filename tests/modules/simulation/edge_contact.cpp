@@ -80,6 +80,20 @@ BOOST_AUTO_TEST_CASE(projected_ice_that_stays_crushes_with_all_the_plan_under_th
   BOOST_TEST(simulation::trailing_outlines(model, {{-5.0, 0.0, 0.0}, {}}).empty());
 }
 
+BOOST_AUTO_TEST_CASE(the_pressure_on_the_edge_is_of_the_contact_or_of_the_edge) {
+  Scene scene;
+  for (const double x : {-6.7, -6.2}) {
+    scene.resolved.failure.pressure = model::EdgePressure::kContact;
+    BOOST_TEST(scene.load(false, {x, 0.0}).pressure == 0.5e6, boost::test_tools::tolerance(1e-12));
+    scene.resolved.failure.pressure = model::EdgePressure::kEdge;
+    const Listening criterion(false);
+    const simulation::EdgeContact contact = scene.assessed(criterion, {x, 0.0}).back();
+    const double in_plane = dot(plan(contact.on_ice), contact.region.normal);
+    BOOST_TEST(criterion.heard.pressure == in_plane / (contact.region.contact_length * 0.33),
+               boost::test_tools::tolerance(1e-12));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(only_a_criterion_that_asks_gets_the_outline) {
   Scene scene;
   BOOST_TEST(scene.load(false).outline.empty());

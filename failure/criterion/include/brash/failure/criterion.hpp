@@ -96,7 +96,7 @@ struct LoadCase {
   double angle = 0.0;           ///< theta [rad]
   double mu1 = 0.0;             ///< P / N [-]
   double mu2 = 0.0;             ///< f / N [-]
-  double pressure = 0.0;        ///< p = N / (c h) [Pa]
+  double pressure = 0.0;        ///< p = N / (c h) [Pa]; for a network it may be of another area
   /// The free edge around B for a criterion with needs_outline(), else empty [m]: from y < 0 to y > 0 in the frame of
   /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
   /// points of it, one after the other. f acts along y.

@@ -124,6 +124,7 @@ struct FailureSection {
   EdgeMotion edge = EdgeMotion::kDynamic;
   JudgedAt judged = JudgedAt::kAnywhere;
   CrackPattern pattern = CrackPattern::kStress;
+  EdgePressure pressure = EdgePressure::kEdge;  ///< p of Eqs. 17 and 19
   CrushedIce crushed_ice = CrushedIce::kLeaves;
   Pieces pieces = Pieces::kBreak;  ///< whether floes break again
 

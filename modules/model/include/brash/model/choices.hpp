@@ -60,6 +60,11 @@ enum class CrackPattern {
   kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
   kStress  ///< a crack along the stress to the free edge, with radial cracks
 };
+/// [failure] pressure: p of Eqs. 17 and 19.
+enum class EdgePressure {
+  kEdge,    ///< the in-plane force over contact length and thickness, N / (c h)
+  kContact  ///< the normal force over the area A of Eqs. 15 and 16
+};
 /// [failure] crushed_ice: whether ice leaves that the structure has passed through.
 enum class CrushedIce {
   kLeaves,  ///< it leaves the sheet, and pieces are born without it
@@ -167,6 +172,9 @@ template <>
 inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
                                                                                  {CrackPattern::kStress, "stress"}});
 template <>
+inline constexpr auto kNames<EdgePressure> = std::to_array<Named<EdgePressure>>({{EdgePressure::kEdge, "edge"},
+                                                                                 {EdgePressure::kContact, "contact"}});
+template <>
 inline constexpr auto kNames<CrushedIce> = std::to_array<Named<CrushedIce>>({{CrushedIce::kLeaves, "leaves"},
                                                                              {CrushedIce::kStays, "stays"}});
 template <>
@@ -217,6 +225,7 @@ constexpr std::optional<T> named(std::string_view name) {
 /// Which options a failure model takes: the one table that readers, the criterion and Python ask.
 struct FailureOptions {
   bool file = false;          ///< it reads a model file
+  bool meta_model = false;    ///< `pressure = "contact"`: it is Eq. 17, and takes p as it is
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
   bool knows_field = false;   ///< `pattern = "stress"` and `judged = "anywhere"`: it knows the stress as a field
@@ -229,7 +238,7 @@ constexpr FailureOptions options_of(FailureModel model, bool own_file) {
   switch (model) {
     case FailureModel::kNetwork:
     case FailureModel::kDeepNetwork:
-      return {.file = true};
+      return {.file = true, .meta_model = true};
     case FailureModel::kSuperposition:
       return {.file = true, .second_order = true, .radial_first = !own_file};
     case FailureModel::kPlate:
