@@ -71,6 +71,10 @@ void expect_valid(const LoadCase& load) {
   BRASH_EXPECTS(load.pressure >= 0.0 && std::isfinite(load.pressure), load.pressure);
 }
 
+double widened_pressure(double pressure, double wanted, double used, const BendingOptions& options) {
+  return wanted < used && !options.keeps_pressure ? pressure * wanted / used : pressure;
+}
+
 double characteristic_length(const IceProperties& ice) {
   expect_valid(ice);
   const double E = ice.youngs_modulus, h = ice.thickness, nu = ice.poisson_ratio;
@@ -102,7 +106,7 @@ std::unique_ptr<BendingCriterion> make_criterion(FailureModel model, const std::
   switch (model) {
     case FailureModel::kNetwork:
     case FailureModel::kDeepNetwork:
-      return make_network_criterion(model_path(model, file), ice);
+      return make_network_criterion(model_path(model, file), ice, options);
     case FailureModel::kSuperposition:
       return superposition(file, ice, options);
     case FailureModel::kPlate:

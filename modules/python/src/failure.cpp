@@ -225,7 +225,8 @@ std::unique_ptr<failure::BendingCriterion> own_criterion(const Case& c) {
                                  {.second_order = section.second_order,
                                   .radial_first = section.order == model::CrackOrder::kRadialFirst,
                                   .anywhere = section.judged == model::JudgedAt::kAnywhere,
-                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress,
+                                  .keeps_pressure = section.small_contact == model::SmallContact::kKeepsPressure});
 }
 
 /// The criterion of a case, or of the same case with another model.

@@ -241,7 +241,8 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
                                   .radial_first = section.order == model::CrackOrder::kRadialFirst,
                                   .anywhere = section.judged == model::JudgedAt::kAnywhere,
                                   .coarse_first = true,
-                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress,
+                                  .keeps_pressure = section.small_contact == model::SmallContact::kKeepsPressure});
 }
 
 std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose) {

@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
   BOOST_TEST(criterion->assess(l).fails);
 }
 
-BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_keeps_its_force) {
+BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_keeps_force_or_pressure) {
   const ModelFile model;
   const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());
   LoadCase l = load();
@@ -136,6 +136,10 @@ BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_ke
   BOOST_TEST(below.below_range);
   BOOST_TEST(!below.above_range);
   BOOST_TEST(below.sigma_max == at_edge / 4.0, boost::test_tools::tolerance(1e-6));
+  const auto pressing =
+      make_criterion(model::FailureModel::kNetwork, model.file, ice(), {.keeps_pressure = true})->for_ice(ice());
+  BOOST_TEST(pressing->assess(l).sigma_max == at_edge);
+  BOOST_TEST(pressing->assess(load()).sigma_max == criterion->assess(load()).sigma_max);
   l = load();
   l.depth = 2.5 * characteristic_length(ice());
   BOOST_TEST(criterion->assess(l).above_range);

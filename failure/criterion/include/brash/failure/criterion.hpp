@@ -161,11 +161,14 @@ struct BendingOptions {
   bool coarse_first = false;
   /// Assessment::crack is wanted: `plate-outline`.
   bool trace_crack = false;
+  /// A contact below the range keeps its pressure p in place of its force p c h: `network`, `deep-network` and
+  /// `superposition`.
+  bool keeps_pressure = false;
 };
 
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
-///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
+///   the model's range are moved into it; below the smallest c the load keeps its total force p c h, or its pressure.
 /// - `deep-network`: the same inputs and outputs by a larger network, which knows two humps of the stress.
 /// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h,
 ///   but for the h / l_c of the shear flexibility, which is moved into the model's range.

@@ -65,6 +65,11 @@ enum class EdgePressure {
   kEdge,    ///< the in-plane force over contact length and thickness, N / (c h)
   kContact  ///< the normal force over the area A of Eqs. 15 and 16
 };
+/// [failure] small_contact: the quantity that a contact keeps when it is widened to the smallest of the model.
+enum class SmallContact {
+  kKeepsForce,    ///< p c h
+  kKeepsPressure  ///< p
+};
 /// [failure] crushed_ice: whether ice leaves that the structure has passed through.
 enum class CrushedIce {
   kLeaves,  ///< it leaves the sheet, and pieces are born without it
@@ -174,6 +179,9 @@ inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>(
 template <>
 inline constexpr auto kNames<EdgePressure> = std::to_array<Named<EdgePressure>>({{EdgePressure::kEdge, "edge"},
                                                                                  {EdgePressure::kContact, "contact"}});
+template <>
+inline constexpr auto kNames<SmallContact> = std::to_array<Named<SmallContact>>(
+    {{SmallContact::kKeepsForce, "keeps-force"}, {SmallContact::kKeepsPressure, "keeps-pressure"}});
 template <>
 inline constexpr auto kNames<CrushedIce> = std::to_array<Named<CrushedIce>>({{CrushedIce::kLeaves, "leaves"},
                                                                              {CrushedIce::kStays, "stays"}});
