@@ -7,6 +7,12 @@
 namespace brash::failure {
 namespace {
 
+/// Ice whose Eq. 18 has the water's density, as that of the training plates has.
+IceProperties on_water(IceProperties ice) {
+  ice.length_density.reset();
+  return ice;
+}
+
 /// A network with the inputs and outputs of Eq. 17, by Eq. 19: lengths over l_c, stress over p.
 class NetworkCriterion final : public BendingCriterion {
  public:
@@ -15,7 +21,7 @@ class NetworkCriterion final : public BendingCriterion {
       : network_(std::move(network)),
         options_(options),
         l_c_(characteristic_length(ice)),
-        thickness_over_lc_(ice.thickness / l_c_),
+        thickness_over_lc_(ice.thickness / characteristic_length(on_water(ice))),
         strength_(ice.flexural_strength) {}
 
   bool above_range(const LoadCase& load) const override { return network_->check(input(load)).above; }
@@ -28,7 +34,7 @@ class NetworkCriterion final : public BendingCriterion {
     const meta_model::Output y = network_->predict(used);
 
     const double pressure = widened_pressure(load.pressure, wanted.c_lc, used.c_lc, options_);
-    // Eq. 19: sigma / p goes as l_c / h.
+    // Eq. 19: sigma / p goes as l_c / h, by E and h alone.
     const double sigma = y.sigma_over_p * pressure * network_->thickness_over_lc() / thickness_over_lc_;
     return {.fails = sigma > strength_,
             .sigma_max = sigma,
@@ -55,7 +61,7 @@ class NetworkCriterion final : public BendingCriterion {
   std::shared_ptr<const meta_model::ResponseNetwork> network_;
   BendingOptions options_;
   double l_c_;
-  double thickness_over_lc_;
+  double thickness_over_lc_;  ///< on water
   double strength_;
 };
 

@@ -94,6 +94,10 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.knows_field, {"failure", "pattern"},
                  {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
                  "stress with failure.model = \"plate-outline\"", "take this model, or disc");
+  checks.require(c.failure.length_density != model::LengthDensity::kIce || takes.meta_model,
+                 {"failure", "length_density"}, {"failure", "model"},
+                 fmt::format("the model {} is a plate on water", name),
+                 "ice with failure.model = \"network\" or \"deep-network\"", "take one of these models, or water");
   checks.require(c.failure.pressure != model::EdgePressure::kContact || takes.meta_model, {"failure", "pressure"},
                  {"failure", "model"}, fmt::format("the model {} needs the force on the edge", name),
                  "contact with failure.model = \"network\" or \"deep-network\"", "take one of these models, or edge");

@@ -117,6 +117,7 @@ void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   if (!takes.joint_loads && !is_written("joint_loads")) c.failure.joint_loads = false;
   if (!takes.knows_field && !is_written("lateness")) c.failure.lateness = 0.0;
   if (!takes.file && !is_written("small_contact")) c.failure.small_contact = model::SmallContact::kKeepsForce;
+  if (!takes.meta_model && !is_written("length_density")) c.failure.length_density = model::LengthDensity::kWater;
   if (!takes.meta_model && !is_written("pressure")) c.failure.pressure = model::EdgePressure::kEdge;
 }
 

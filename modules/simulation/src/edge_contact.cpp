@@ -223,6 +223,15 @@ Freeboard freeboard(const model::Case& resolved, double thickness) {
   return {thickness - draft, -draft};
 }
 
+namespace {
+
+std::optional<double> length_density(const model::Case& c) {
+  if (c.failure.length_density == model::LengthDensity::kWater) return std::nullopt;
+  return c.ice.density;
+}
+
+}  // namespace
+
 failure::IceProperties ice_properties(const model::Case& resolved) {
   return {.thickness = resolved.ice.thickness,
           .youngs_modulus = resolved.ice.youngs_modulus,
@@ -230,7 +239,8 @@ failure::IceProperties ice_properties(const model::Case& resolved) {
           .flexural_strength = resolved.ice.flexural_strength,
           .compressive_strength = resolved.ice.compressive_strength,
           .crushing_factor = resolved.ice.crushing_factor,
-          .water_density = resolved.water.density};
+          .water_density = resolved.water.density,
+          .length_density = length_density(resolved)};
 }
 
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,

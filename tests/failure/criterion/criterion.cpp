@@ -114,6 +114,20 @@ BOOST_AUTO_TEST_CASE(the_network_criterion_scales_by_equation_19) {
   BOOST_TEST(a.fails == (expected > 539e3));
 }
 
+BOOST_AUTO_TEST_CASE(the_density_of_ice_in_equation_18_leaves_the_scale_of_equation_19) {
+  const ModelFile model;
+  IceProperties dense = ice();
+  dense.length_density = 900.0;
+  const double l_c = characteristic_length(dense);
+  BOOST_TEST(l_c == characteristic_length(ice()) * std::pow(1025.0 / 900.0, 0.25), boost::test_tools::tolerance(1e-12));
+  const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, dense);
+  const Assessment a = criterion->assess(load());
+  const double expected = 4.0 * 0.511 * (0.5 / l_c) * 3e5 * 0.1 / (0.33 / characteristic_length(ice()));
+  BOOST_TEST(a.sigma_max == expected, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(a.breaking_length == 0.5 * l_c, boost::test_tools::tolerance(1e-9));
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kPlate, "", dense), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
   const ModelFile model;
   const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());

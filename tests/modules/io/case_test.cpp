@@ -105,7 +105,9 @@ BOOST_AUTO_TEST_CASE(readings_of_the_meta_model_need_a_network) {
   BOOST_TEST((failure_of({"failure.pressure=contact"}).pressure == EdgePressure::kContact));
   BOOST_TEST((failure_of({}).pressure == EdgePressure::kEdge));
   BOOST_TEST((failure_of({"failure.small_contact=keeps-pressure"}).small_contact == SmallContact::kKeepsPressure));
-  BOOST_CHECK_THROW(failure_of({"failure.model=wedge", "failure.pressure=contact"}), InputError);
+  BOOST_TEST((failure_of({"failure.length_density=ice"}).length_density == LengthDensity::kIce));
+  for (const char* const key : {"failure.pressure=contact", "failure.length_density=ice"})
+    BOOST_CHECK_THROW(failure_of({"failure.model=wedge", key}), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other_keys_take) {
@@ -303,6 +305,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
   BOOST_TEST(names_in_schema("failure", "pattern") == names_in_model<CrackPattern>());
   BOOST_TEST(names_in_schema("failure", "pressure") == names_in_model<EdgePressure>());
+  BOOST_TEST(names_in_schema("failure", "length_density") == names_in_model<LengthDensity>());
   BOOST_TEST(names_in_schema("failure", "small_contact") == names_in_model<SmallContact>());
   BOOST_TEST(names_in_schema("failure", "crushed_ice") == names_in_model<CrushedIce>());
   BOOST_TEST(names_in_schema("failure", "pieces") == names_in_model<Pieces>());

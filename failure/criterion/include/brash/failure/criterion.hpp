@@ -22,9 +22,11 @@ struct IceProperties {
   double compressive_strength = 0.0;  ///< sigma_c [Pa]
   double crushing_factor = 0.5;       ///< R of Eq. 15 [-]
   double water_density = 1025.0;      ///< rho_w [kg/m3]
+  /// rho of Eq. 18 [kg/m3]; absent: the water's. Only the networks take another one.
+  std::optional<double> length_density{};
 };
 
-/// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density;
+/// l_c = (E h^3 / (12 rho g (1 - nu^2)))^(1/4) [m], Eq. 18 with IceProperties::length_density;
 /// docs/theory/fracture-of-the-edge.md, (1).
 double characteristic_length(const IceProperties& ice);
 

@@ -125,6 +125,7 @@ struct FailureSection {
   JudgedAt judged = JudgedAt::kAnywhere;
   CrackPattern pattern = CrackPattern::kStress;
   EdgePressure pressure = EdgePressure::kEdge;  ///< p of Eqs. 17 and 19
+  LengthDensity length_density = LengthDensity::kWater;
   SmallContact small_contact = SmallContact::kKeepsForce;
   CrushedIce crushed_ice = CrushedIce::kLeaves;
   Pieces pieces = Pieces::kBreak;  ///< whether floes break again

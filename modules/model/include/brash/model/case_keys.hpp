@@ -212,6 +212,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "judged", c.failure.judged);
   visit("failure", "pattern", c.failure.pattern);
   visit("failure", "pressure", c.failure.pressure);
+  visit("failure", "length_density", c.failure.length_density);
   visit("failure", "small_contact", c.failure.small_contact);
   visit("failure", "crushed_ice", c.failure.crushed_ice);
   visit("failure", "pieces", c.failure.pieces);

@@ -65,6 +65,11 @@ enum class EdgePressure {
   kEdge,    ///< the in-plane force over contact length and thickness, N / (c h)
   kContact  ///< the normal force over the area A of Eqs. 15 and 16
 };
+/// [failure] length_density: rho of Eq. 18, the characteristic length.
+enum class LengthDensity {
+  kWater,  ///< of the foundation
+  kIce
+};
 /// [failure] small_contact: the quantity that a contact keeps when it is widened to the smallest of the model.
 enum class SmallContact {
   kKeepsForce,    ///< p c h
@@ -180,6 +185,9 @@ template <>
 inline constexpr auto kNames<EdgePressure> = std::to_array<Named<EdgePressure>>({{EdgePressure::kEdge, "edge"},
                                                                                  {EdgePressure::kContact, "contact"}});
 template <>
+inline constexpr auto kNames<LengthDensity> = std::to_array<Named<LengthDensity>>({{LengthDensity::kWater, "water"},
+                                                                                   {LengthDensity::kIce, "ice"}});
+template <>
 inline constexpr auto kNames<SmallContact> = std::to_array<Named<SmallContact>>(
     {{SmallContact::kKeepsForce, "keeps-force"}, {SmallContact::kKeepsPressure, "keeps-pressure"}});
 template <>
@@ -232,8 +240,8 @@ constexpr std::optional<T> named(std::string_view name) {
 
 /// Which options a failure model takes: the one table that readers, the criterion and Python ask.
 struct FailureOptions {
-  bool file = false;          ///< it reads a model file
-  bool meta_model = false;    ///< `pressure = "contact"`: it is Eq. 17, and takes p as it is
+  bool file = false;        ///< it reads a model file
+  bool meta_model = false;  ///< `pressure = "contact"` and `length_density = "ice"`: it is Eq. 17, without a foundation
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
   bool knows_field = false;   ///< `pattern = "stress"` and `judged = "anywhere"`: it knows the stress as a field
