@@ -36,7 +36,8 @@ void check_water(const model::Case& c, Checks& checks) {
   const bool plate = h.added_mass_law == model::AddedMassLaw::kPlate;
   checks.require(!plate || c.contact.engine == model::ContactEngine::kBrash, {"hydrodynamics", "added_mass_law"},
                  {"contact", "engine"}, "Bullet's bodies have the same mass in every direction",
-                 "plate with contact.engine = \"brash\"", "take this engine, or added_mass_law = \"isotropic\"");
+                 "plate with contact.engine = \"brash\"",
+                 "take this engine, or added_mass_law = \"isotropic\" or \"none\"");
 }
 
 /// Ice afloat keeps clear of the bed, and a path has no one velocity that the bed could share.

@@ -128,7 +128,8 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (h.drag != model::DragLaw::kSurface && !is_written("form_drag_along"))
     h.form_drag_along = model::FormDragAlong::kVelocity;
   const bool by_share = is_written("added_mass") || c.contact.engine == model::ContactEngine::kBullet;
-  if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
+  const bool is_plate = h.added_mass_law == model::AddedMassLaw::kPlate;
+  if (is_plate && by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
 std::string name_of_case(const std::string& path) {

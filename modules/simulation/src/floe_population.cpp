@@ -43,6 +43,7 @@ rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resol
   if (h.added_mass_law == model::AddedMassLaw::kIsotropic)
     return rigid_body::mass_properties(floe.prism, resolved.ice.density, floe.wet_share * h.added_mass);
   rigid_body::MassProperties mass = rigid_body::mass_properties(floe.prism, resolved.ice.density, 0.0);
+  if (h.added_mass_law == model::AddedMassLaw::kNone) return mass;
   mass.mass += floe.wet_share * floe.added.along;
   mass.inertia += floe.wet_share * floe.added.inertia;
   mass.added_across = floe.wet_share * (floe.added.across - floe.added.along);

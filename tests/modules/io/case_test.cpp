@@ -125,6 +125,8 @@ BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other
   BOOST_TEST((water_of({"hydrodynamics.drag=paper"}).form_drag_along == FormDragAlong::kVelocity));
   BOOST_TEST((water_of({"hydrodynamics.added_mass=0.7"}).added_mass_law == AddedMassLaw::kIsotropic));
   BOOST_TEST((water_of({"contact.engine=bullet"}).added_mass_law == AddedMassLaw::kIsotropic));
+  BOOST_TEST(
+      (water_of({"hydrodynamics.added_mass_law=none", "contact.engine=bullet"}).added_mass_law == AddedMassLaw::kNone));
   BOOST_CHECK_THROW(water_of({"hydrodynamics.drag=paper", "hydrodynamics.form_drag_along=normal"}), InputError);
   BOOST_CHECK_THROW(water_of({"contact.engine=bullet", "hydrodynamics.added_mass_law=plate"}), InputError);
 }

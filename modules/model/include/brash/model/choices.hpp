@@ -119,7 +119,8 @@ enum class FormDragAlong {
 /// [hydrodynamics] added_mass_law: the water that moves with a floe.
 enum class AddedMassLaw {
   kIsotropic,  ///< a share of the floe's mass in every direction, Eq. 12
-  kPlate       ///< of a plate in potential flow: by direction, on its wet faces
+  kPlate,      ///< of a plate in potential flow: by direction, on its wet faces
+  kNone
 };
 
 /// One value of a choice and its name.
@@ -216,8 +217,8 @@ template <>
 inline constexpr auto kNames<FormDragAlong> =
     std::to_array<Named<FormDragAlong>>({{FormDragAlong::kVelocity, "velocity"}, {FormDragAlong::kNormal, "normal"}});
 template <>
-inline constexpr auto kNames<AddedMassLaw> =
-    std::to_array<Named<AddedMassLaw>>({{AddedMassLaw::kIsotropic, "isotropic"}, {AddedMassLaw::kPlate, "plate"}});
+inline constexpr auto kNames<AddedMassLaw> = std::to_array<Named<AddedMassLaw>>(
+    {{AddedMassLaw::kIsotropic, "isotropic"}, {AddedMassLaw::kPlate, "plate"}, {AddedMassLaw::kNone, "none"}});
 
 template <typename T>
 concept Choice = std::is_enum_v<T> &&(kNames<T>.size() > 0);
