@@ -6,6 +6,7 @@ run.py                  plan.toml: 30 replicates; table and picture in results/v
 run.py --plan edge.toml -o results/edge        the preset brash, and the same with an edge at rest; 30 replicates each
 run.py --plan laws.toml -o results/laws        each law of the ice on its own switch, 10 replicates; so water, pieces
 run.py --plan steps.toml -o results/steps      four time steps, 30 replicates each
+run.py --plan readings.toml -o results/readings  the paper read literally (decision 39), and with each row changed back
 run.py --plan edge_steps.toml -o ...           three more with the preset brash and with an edge at rest
 run.py --set hydrodynamics.form_drag=0 -o ...  the same with another input
 run.py --record         also rewrites the recorded numbers here, and the picture of the plan's first setting

@@ -12,7 +12,8 @@ namespace brash::failure {
 std::string shipped(const std::string& name);
 
 // One function per model; each file holds one.
-std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice);
+std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice,
+                                                         const BendingOptions& options);
 /// @param split_file  the model of the sheet that a radial crack has split; read where the options ask for it.
 std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const std::string& split_file,
                                                                const IceProperties& ice, const BendingOptions& options);
@@ -30,6 +31,10 @@ std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<Bendin
 
 /// Throws ContractViolation when `load` is not a load case.
 void expect_valid(const LoadCase& load);
+
+/// The pressure of a contact that is widened from `wanted` to `used` contact lengths [Pa]. It keeps its force p c h,
+/// unless the options say that it keeps p: far from the tip only the force counts.
+double widened_pressure(double pressure, double wanted, double used, const BendingOptions& options);
 
 /// N / sqrt(k D) of a contact's pressure [Pa] where the second order is asked for, else 0.
 double in_plane_load(const IceProperties& ice, double l_c, double pressure, const BendingOptions& options);

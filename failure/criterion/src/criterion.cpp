@@ -28,7 +28,7 @@ constexpr double kSplitMargin = 1.5;
 void expect_valid(const IceProperties& ice) {
   BRASH_EXPECTS(ice.thickness > 0.0 && ice.youngs_modulus > 0.0, ice.thickness, ice.youngs_modulus);
   BRASH_EXPECTS(ice.poisson_ratio >= 0.0 && ice.poisson_ratio < 0.5, ice.poisson_ratio);
-  BRASH_EXPECTS(ice.water_density > 0.0, ice.water_density);
+  BRASH_EXPECTS(ice.water_density > 0.0 && ice.length_density.value_or(1.0) > 0.0, ice.water_density);
 }
 
 std::unique_ptr<BendingCriterion> superposition(const std::string& file, const IceProperties& ice,
@@ -45,8 +45,14 @@ std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exa
                                  margin);
 }
 
-void refuse_options(FailureModel model, const std::string& file, const BendingOptions& options) {
+void refuse_options(FailureModel model, const std::string& file, const IceProperties& ice,
+                    const BendingOptions& options) {
   const model::FailureOptions takes = model::options_of(model, !file.empty());
+  if (ice.length_density && !takes.meta_model) {
+    throw InputError(
+        Complaint{"failure.length_density", fmt::format("= \"ice\" is not for failure.model = \"{}\"", name_of(model)),
+                  "failure.model = \"network\" or \"deep-network\"", "take one of these models, or \"water\""});
+  }
   if (options.radial_first && !takes.radial_first) {
     throw InputError(
         Complaint{"failure.order",
@@ -71,10 +77,15 @@ void expect_valid(const LoadCase& load) {
   BRASH_EXPECTS(load.pressure >= 0.0 && std::isfinite(load.pressure), load.pressure);
 }
 
+double widened_pressure(double pressure, double wanted, double used, const BendingOptions& options) {
+  return wanted < used && !options.keeps_pressure ? pressure * wanted / used : pressure;
+}
+
 double characteristic_length(const IceProperties& ice) {
   expect_valid(ice);
   const double E = ice.youngs_modulus, h = ice.thickness, nu = ice.poisson_ratio;
-  return std::pow(E * h * h * h / (12.0 * ice.water_density * kGravity * (1.0 - nu * nu)), 0.25);
+  const double rho = ice.length_density.value_or(ice.water_density);
+  return std::pow(E * h * h * h / (12.0 * rho * kGravity * (1.0 - nu * nu)), 0.25);
 }
 
 double crushing_force(const IceProperties& ice, double area) {
@@ -100,11 +111,11 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
 std::unique_ptr<BendingCriterion> make_criterion(FailureModel model, const std::string& file, const IceProperties& ice,
                                                  const BendingOptions& options) {
   expect_valid(ice);
-  refuse_options(model, file, options);
+  refuse_options(model, file, ice, options);
   switch (model) {
     case FailureModel::kNetwork:
     case FailureModel::kDeepNetwork:
-      return make_network_criterion(model_path(model, file), ice);
+      return make_network_criterion(model_path(model, file), ice, options);
     case FailureModel::kSuperposition:
       return superposition(file, ice, options);
     case FailureModel::kPlate:

@@ -7,13 +7,21 @@
 namespace brash::failure {
 namespace {
 
+/// Ice whose Eq. 18 has the water's density, as that of the training plates has.
+IceProperties on_water(IceProperties ice) {
+  ice.length_density.reset();
+  return ice;
+}
+
 /// A network with the inputs and outputs of Eq. 17, by Eq. 19: lengths over l_c, stress over p.
 class NetworkCriterion final : public BendingCriterion {
  public:
-  NetworkCriterion(std::shared_ptr<const meta_model::ResponseNetwork> network, const IceProperties& ice)
+  NetworkCriterion(std::shared_ptr<const meta_model::ResponseNetwork> network, const IceProperties& ice,
+                   const BendingOptions& options)
       : network_(std::move(network)),
+        options_(options),
         l_c_(characteristic_length(ice)),
-        thickness_over_lc_(ice.thickness / l_c_),
+        thickness_over_lc_(ice.thickness / characteristic_length(on_water(ice))),
         strength_(ice.flexural_strength) {}
 
   bool above_range(const LoadCase& load) const override { return network_->check(input(load)).above; }
@@ -25,9 +33,8 @@ class NetworkCriterion final : public BendingCriterion {
     const meta_model::Input used = network_->clamp(wanted);
     const meta_model::Output y = network_->predict(used);
 
-    // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
-    const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
-    // Eq. 19: sigma / p goes as l_c / h.
+    const double pressure = widened_pressure(load.pressure, wanted.c_lc, used.c_lc, options_);
+    // Eq. 19: sigma / p goes as l_c / h, by E and h alone.
     const double sigma = y.sigma_over_p * pressure * network_->thickness_over_lc() / thickness_over_lc_;
     return {.fails = sigma > strength_,
             .sigma_max = sigma,
@@ -39,7 +46,7 @@ class NetworkCriterion final : public BendingCriterion {
   std::optional<double> trained_thickness_over_lc() const override { return network_->thickness_over_lc(); }
 
   std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
-    return std::make_unique<NetworkCriterion>(network_, ice);
+    return std::make_unique<NetworkCriterion>(network_, ice, options_);
   }
 
  private:
@@ -52,15 +59,17 @@ class NetworkCriterion final : public BendingCriterion {
   }
 
   std::shared_ptr<const meta_model::ResponseNetwork> network_;
+  BendingOptions options_;
   double l_c_;
-  double thickness_over_lc_;
+  double thickness_over_lc_;  ///< on water
   double strength_;
 };
 
 }  // namespace
 
-std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice) {
-  return std::make_unique<NetworkCriterion>(meta_model::read_network(file), ice);
+std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice,
+                                                         const BendingOptions& options) {
+  return std::make_unique<NetworkCriterion>(meta_model::read_network(file), ice, options);
 }
 
 }  // namespace brash::failure

@@ -109,8 +109,7 @@ class SuperpositionCriterion final : public BendingCriterion {
     const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
     const meta_model::RangeCheck range = whole_->check(wanted);
     const meta_model::Geometry used = whole_->clamp(wanted);
-    // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
-    const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
+    const double pressure = widened_pressure(load.pressure, wanted.c_lc, used.c_lc, options_);
     return {used,
             pressure,
             {.below_range = range.below || shear_thickness_ != thickness_over_lc_, .above_range = range.above}};

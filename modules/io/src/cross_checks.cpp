@@ -36,7 +36,8 @@ void check_water(const model::Case& c, Checks& checks) {
   const bool plate = h.added_mass_law == model::AddedMassLaw::kPlate;
   checks.require(!plate || c.contact.engine == model::ContactEngine::kBrash, {"hydrodynamics", "added_mass_law"},
                  {"contact", "engine"}, "Bullet's bodies have the same mass in every direction",
-                 "plate with contact.engine = \"brash\"", "take this engine, or added_mass_law = \"isotropic\"");
+                 "plate with contact.engine = \"brash\"",
+                 "take this engine, or added_mass_law = \"isotropic\" or \"none\"");
 }
 
 /// Ice afloat keeps clear of the bed, and a path has no one velocity that the bed could share.
@@ -94,6 +95,13 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.knows_field, {"failure", "pattern"},
                  {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
                  "stress with failure.model = \"plate-outline\"", "take this model, or disc");
+  checks.require(c.failure.length_density != model::LengthDensity::kIce || takes.meta_model,
+                 {"failure", "length_density"}, {"failure", "model"},
+                 fmt::format("the model {} is a plate on water", name),
+                 "ice with failure.model = \"network\" or \"deep-network\"", "take one of these models, or water");
+  checks.require(c.failure.pressure != model::EdgePressure::kContact || takes.meta_model, {"failure", "pressure"},
+                 {"failure", "model"}, fmt::format("the model {} needs the force on the edge", name),
+                 "contact with failure.model = \"network\" or \"deep-network\"", "take one of these models, or edge");
   checks.require(c.failure.file.empty() || takes.file, {"failure", "file"}, {"failure", "model"},
                  fmt::format("the model {} reads no file", name),
                  "a file with failure.model = \"network\", \"deep-network\" or \"superposition\"",

@@ -116,6 +116,9 @@ void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   if (!takes.knows_field && !is_written("pattern")) c.failure.pattern = model::CrackPattern::kDisc;
   if (!takes.joint_loads && !is_written("joint_loads")) c.failure.joint_loads = false;
   if (!takes.knows_field && !is_written("lateness")) c.failure.lateness = 0.0;
+  if (!takes.file && !is_written("small_contact")) c.failure.small_contact = model::SmallContact::kKeepsForce;
+  if (!takes.meta_model && !is_written("length_density")) c.failure.length_density = model::LengthDensity::kWater;
+  if (!takes.meta_model && !is_written("pressure")) c.failure.pressure = model::EdgePressure::kEdge;
 }
 
 /// Likewise of the laws of the water.
@@ -125,7 +128,8 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (h.drag != model::DragLaw::kSurface && !is_written("form_drag_along"))
     h.form_drag_along = model::FormDragAlong::kVelocity;
   const bool by_share = is_written("added_mass") || c.contact.engine == model::ContactEngine::kBullet;
-  if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
+  const bool is_plate = h.added_mass_law == model::AddedMassLaw::kPlate;
+  if (is_plate && by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
 std::string name_of_case(const std::string& path) {

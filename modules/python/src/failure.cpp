@@ -167,7 +167,10 @@ IceProperties ice_of(const Case& c) {
           .flexural_strength = c.resolved.ice.flexural_strength,
           .compressive_strength = c.resolved.ice.compressive_strength,
           .crushing_factor = c.resolved.ice.crushing_factor,
-          .water_density = c.resolved.water.density};
+          .water_density = c.resolved.water.density,
+          .length_density = c.resolved.failure.length_density == model::LengthDensity::kIce
+                                ? std::optional(c.resolved.ice.density)
+                                : std::nullopt};
 }
 
 void add_failure_model(py::module_& m) {
@@ -215,6 +218,7 @@ Case with_model(const Case& c, model::FailureModel model) {
   if (!takes.knows_field) changes["failure.judged"] = "centre-line", changes["failure.pattern"] = "disc";
   if (!takes.moving_edge) changes["failure.edge"] = "static";
   if (!takes.joint_loads) changes["failure.joint_loads"] = false;
+  if (!takes.meta_model) changes["failure.pressure"] = "edge", changes["failure.length_density"] = "water";
   return with_changes(c, changes);
 }
 
@@ -224,7 +228,8 @@ std::unique_ptr<failure::BendingCriterion> own_criterion(const Case& c) {
                                  {.second_order = section.second_order,
                                   .radial_first = section.order == model::CrackOrder::kRadialFirst,
                                   .anywhere = section.judged == model::JudgedAt::kAnywhere,
-                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress,
+                                  .keeps_pressure = section.small_contact == model::SmallContact::kKeepsPressure});
 }
 
 /// The criterion of a case, or of the same case with another model.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "brash/rigid_body/world.hpp"
@@ -54,6 +55,7 @@ struct Body {
   Wrench load;                     ///< for the next step
   Vec3 stream;                     ///< velocity of the water around it
   double gained_by_turning = 0.0;  ///< World::gained_by_turning() [J]
+  std::optional<Pose> unparted;    ///< World::unparted_pose()
   Vec3 gyration;                   ///< angular velocity that the gyroscopic moment gave it in this step [rad/s]
   double gyroscopic_share = 0.0;   ///< World::gyroscopic_share() [J]
   Pose next_pose;                  ///< of a structure or a sheet that moves as it is told

@@ -174,7 +174,11 @@ void ExactWorld::advance(Body& body, double dt) {
   body.twist = bounded_.twist(body.in_solver);
   const Twist parting = bounded_.parting(body.in_solver);
   Pose pose = body.pose;
-  if (parting != Twist{}) pose = advanced(pose, {parting.linear, kPartingTurn * parting.angular}, dt);
+  body.unparted.reset();
+  if (parting != Twist{}) {
+    body.unparted = advanced(pose, body.twist, dt);
+    pose = advanced(pose, {parting.linear, kPartingTurn * parting.angular}, dt);
+  }
   body.gained_by_turning = 0.0;
   if (body.mass.added_across == 0.0) return finish(body, advanced(pose, body.twist, dt));
   const double before = body.kinetic_energy();

@@ -136,6 +136,7 @@ void StockWorld::prepare(btPersistentManifold& manifold, double dt, std::vector<
 
 void StockWorld::integrateTransforms(btScalar dt) {
   average_velocities();
+  note_parted(dt);
   report(dt);
   links().report(dt);
   btDiscreteDynamicsWorld::integrateTransforms(dt);
@@ -148,6 +149,16 @@ void StockWorld::integrateTransforms(btScalar dt) {
     body->twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
     const btQuaternion q = b.getWorldTransform().getRotation();
     finish(*body, {from_bullet(b.getWorldTransform().getOrigin()), {q.w(), q.x(), q.y(), q.z()}});
+  }
+}
+
+void StockWorld::note_parted(double dt) {
+  for (Body* body : order()) {
+    body->unparted.reset();
+    const btRigidBody& b = *body->bullet;
+    if (!body->is_free() || b.getWorldTransform() == to_bullet(body->pose)) continue;
+    const Twist twist{from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
+    body->unparted = advanced(body->pose, twist, dt);
   }
 }
 

@@ -33,6 +33,8 @@ class StockWorld final : public BodyWorld {
   /// Sets the law of a manifold's points and finds their bounds.
   void prepare(btPersistentManifold& manifold, double dt, std::vector<Bound>& bounds);
   void integrateTransforms(btScalar dt) override;
+  /// Split impulses have moved Bullet's bodies already.
+  void note_parted(double dt);
   void report(double dt);
   void report(const btPersistentManifold& manifold, const btManifoldPoint& point, const Bound& bound, double dt);
 

@@ -176,6 +176,7 @@ void World::apply(BodyId id, const Wrench& wrench) {
 
 void World::set_stream(BodyId id, Vec3 velocity) { world_->get(id).stream = velocity; }
 double World::gained_by_turning(BodyId id) const { return world_->get(id).gained_by_turning; }
+std::optional<Pose> World::unparted_pose(BodyId id) const { return world_->get(id).unparted; }
 double World::gyroscopic_share(BodyId id) const { return world_->get(id).gyroscopic_share; }
 
 void World::step(double dt) {

@@ -36,8 +36,9 @@ Twist by_axis(const Twist& against_water, const Pose& pose, const rigid_body::Ma
 }  // namespace
 
 void take_added_mass(rigid_body::World& world, BodyId body, Floe& floe, const model::Case& resolved, Vec3 stream) {
-  const double share = share_now(world, body, floe, resolved);
   floe.shed = 0.0;
+  if (resolved.hydrodynamics.added_mass_law == model::AddedMassLaw::kNone) return;
+  const double share = share_now(world, body, floe, resolved);
   if (share == floe.wet_share) return;
   const double before = world.kinetic_energy(body);
   const rigid_body::MassProperties old = floe.inertia;

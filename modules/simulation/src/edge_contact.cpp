@@ -41,6 +41,18 @@ std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose
   return model.hull.sides(pose, heights.bottom + shift, heights.top + shift, {extent.lower, extent.upper});
 }
 
+bool ice_leaves(const EdgeModel& model) { return model.resolved.failure.crushed_ice == model::CrushedIce::kLeaves; }
+
+/// The plan of the ice under the structure over the plan of its surface inside the ice. The surface loads ice that it
+/// has passed through too, where such ice stays.
+double covered_share(const EdgeModel& model, const std::vector<structure::Patch>& patches,
+                     const geometry::Polygon& overlap) {
+  if (ice_leaves(model)) return 1.0;
+  double plan_area = 0.0;
+  for (const structure::Patch& patch : patches) plan_area += patch.plan_area;
+  return plan_area > 0.0 ? geometry::area(overlap).square_metres() / plan_area : 1.0;
+}
+
 /// The crushing load of a contact on the ice.
 struct Crushing {
   Vec3 force{};                    ///< with friction [N]
@@ -69,12 +81,13 @@ Crushing crushing(const EdgeModel& model, const structure::State& state, const g
   const bool projected = c.contact.area == model::ContactArea::kProjected;
   const double thicker = model.ice.thickness / c.ice.thickness;
   Crushing sum;
-  const auto faces = sides(model, state.pose, overlap, shift);
-  for (const structure::Patch& patch : structure::patches_within(faces, rings_in_metres(overlap))) {
+  const auto patches = structure::patches_within(sides(model, state.pose, overlap, shift), rings_in_metres(overlap));
+  const double covered = projected ? covered_share(model, patches, overlap) : 1.0;
+  for (const structure::Patch& patch : patches) {
     const Vec3 velocity = velocity_at(state.twist, patch.centroid - state.pose.position);
     const double into_ice = dot(velocity, patch.normal);
     if (into_ice <= 0.0) continue;  // slides past or leaves
-    const double area = thicker * (projected ? patch.plan_area : patch.area);
+    const double area = thicker * (projected ? covered * patch.plan_area : patch.area);
     const Vec3 slip = velocity - into_ice * patch.normal;
     // At most what holds the ice to the surface: the force then lies along the velocity.
     const double coefficient = std::min(c.ice.friction_structure, norm(slip) / into_ice);
@@ -114,6 +127,13 @@ Crushing crushing_shifted(const EdgeModel& model, const geometry::IceSheet& shee
   return sum;
 }
 
+/// p of a contact with the structure [Pa], Eqs. 17 and 19.
+/// @param in_plane  N [N].
+double pressure_on(const EdgeModel& model, const EdgeContact& contact, double in_plane) {
+  if (model.resolved.failure.pressure == model::EdgePressure::kContact) return contact.bound / contact.area;
+  return in_plane / (contact.region.contact_length * model.ice.thickness);
+}
+
 /// The load of a contact with the structure, also as the failure model takes it: N along the chord's normal, f along
 /// the chord, P vertical.
 void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& contact) {
@@ -137,7 +157,7 @@ void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& 
                   .angle = contact.wedge.angle,
                   .mu1 = std::max(std::abs(crushed.force.z) / in_plane, kLeastMu1),
                   .mu2 = dot(plan(crushed.force), perpendicular(normal)) / in_plane,
-                  .pressure = in_plane / (contact.region.contact_length * model.ice.thickness)};
+                  .pressure = pressure_on(model, contact, in_plane)};
 }
 
 /// The wedge behind the chord, which the crushed tip has become.
@@ -206,6 +226,15 @@ Freeboard freeboard(const model::Case& resolved, double thickness) {
   return {thickness - draft, -draft};
 }
 
+namespace {
+
+std::optional<double> length_density(const model::Case& c) {
+  if (c.failure.length_density == model::LengthDensity::kWater) return std::nullopt;
+  return c.ice.density;
+}
+
+}  // namespace
+
 failure::IceProperties ice_properties(const model::Case& resolved) {
   return {.thickness = resolved.ice.thickness,
           .youngs_modulus = resolved.ice.youngs_modulus,
@@ -213,7 +242,8 @@ failure::IceProperties ice_properties(const model::Case& resolved) {
           .flexural_strength = resolved.ice.flexural_strength,
           .compressive_strength = resolved.ice.compressive_strength,
           .crushing_factor = resolved.ice.crushing_factor,
-          .water_density = resolved.water.density};
+          .water_density = resolved.water.density,
+          .length_density = length_density(resolved)};
 }
 
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
@@ -224,16 +254,19 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
                                   .radial_first = section.order == model::CrackOrder::kRadialFirst,
                                   .anywhere = section.judged == model::JudgedAt::kAnywhere,
                                   .coarse_first = true,
-                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress,
+                                  .keeps_pressure = section.small_contact == model::SmallContact::kKeepsPressure});
 }
 
 std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose) {
+  if (!ice_leaves(model)) return {};
   const Freeboard heights = freeboard(model.resolved);
   const double middle = 0.5 * (heights.top + heights.bottom);
   return on_grid(model.hull.footprint(pose, middle, middle).leading);
 }
 
 std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose, double shift) {
+  if (!ice_leaves(model)) return {};
   return on_grid(footprint(model, pose, shift).trailing);
 }
 

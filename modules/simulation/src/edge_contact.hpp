@@ -89,15 +89,18 @@ failure::IceProperties ice_properties(const model::Case& resolved);
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
                                                           const failure::IceProperties& ice);
 
-/// Its section at mid-thickness: as much ice lies in this section as in the structure itself.
+/// Its section at mid-thickness: as much ice lies in this section as in the structure itself. Pieces are born without
+/// it; empty where crushed ice stays.
 std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose);
-/// Where it has passed through the whole thickness of ice that lies `shift` higher than at rest [m].
+/// Where it has passed through the whole thickness of ice that lies `shift` higher than at rest [m]. This ice leaves;
+/// empty where crushed ice stays.
 std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose, double shift = 0.0);
 
 /// All contacts of the structure with the sheet, each fitted and loaded.
 ///
 /// Crushing: sigma_c R (Eq. 15) along the normal of each part of the structure's surface inside the ice that moves into
-/// it, and friction against its slip. `contact.area = "projected"` takes the part's plan for its area.
+/// it, and friction against its slip. `contact.area = "projected"` takes the part's plan for its area. With
+/// `failure.crushed_ice = "stays"` the parts then share the plan of all ice under the structure.
 /// docs/theory/simulation.md, (S0).
 ///
 /// @param shift_of  how much higher than at rest the edge lies there [m]; empty: nowhere. A contact that the edge

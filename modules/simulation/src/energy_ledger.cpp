@@ -76,7 +76,10 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     taken_.water -= taken;
     losses_.drag += floe.shed - drag - pressure;
     losses_.skin_friction -= skin_friction;
-    received_[body.index] += drag + skin_friction - floe.shed + pressure;
+    // Parting moves a floe without a velocity.
+    const double parted = floes.gained_by_parting(world, body);
+    losses_.floe_contact -= parted;
+    received_[body.index] += drag + skin_friction - floe.shed + pressure + parted;
     if (floe.id >= first_newborn) birth_ += floes.energy(world, body, floe) - received_[body.index];
   }
 }

@@ -43,6 +43,7 @@ rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resol
   if (h.added_mass_law == model::AddedMassLaw::kIsotropic)
     return rigid_body::mass_properties(floe.prism, resolved.ice.density, floe.wet_share * h.added_mass);
   rigid_body::MassProperties mass = rigid_body::mass_properties(floe.prism, resolved.ice.density, 0.0);
+  if (h.added_mass_law == model::AddedMassLaw::kNone) return mass;
   mass.mass += floe.wet_share * floe.added.along;
   mass.inertia += floe.wet_share * floe.added.inertia;
   mass.added_across = floe.wet_share * (floe.added.across - floe.added.along);
@@ -229,6 +230,13 @@ double FloePopulation::potential_energy(const rigid_body::World& world) const {
   const std::vector<BodyId>& moving = world.moving();
   return world.workers().sum(asleep_height(), moving.size(), kCheapFloes,
                              [&](std::size_t i) { return raised(world, moving[i], at(moving[i])); });
+}
+
+double FloePopulation::gained_by_parting(const rigid_body::World& world, BodyId body) const {
+  const std::optional<Pose> unparted = world.unparted_pose(body);
+  if (!unparted) return 0.0;
+  const double before = potential(at(body), *unparted, case_->water.density);
+  return potential(at(body), world.pose(body), case_->water.density) - before;
 }
 
 double FloePopulation::energy(const rigid_body::World& world, BodyId body, const Floe& floe) const {

@@ -64,6 +64,8 @@ struct Floe {
   Wrench pressure{};               ///< likewise, of accelerated water and of the air on its top
   MeanStress stress{};             ///< from contact forces
   std::array<double, 6> dipole{};  ///< of the last step: sum of arm x force, symmetric part, as MeanStress::now [N m]
+  double contact_pressure = 0.0;   ///< of the last step: the largest normal force of a contact over its area [Pa]
+  double compression = 0.0;        ///< that StressLaw compares with the strength, after the last step [Pa]
   Rest rest{};
   double asleep_height = 0.0;  ///< potential energy against floating at rest while it is asleep [J]
   /// Cache: the last pose at which the displacement was asked for, and the displacement there.
@@ -131,6 +133,9 @@ class FloePopulation {
   double potential_energy(const rigid_body::World& world) const;
   /// Kinetic and potential energy of `floe`, whose body is `body` [J].
   double energy(const rigid_body::World& world, BodyId body, const Floe& floe) const;
+
+  /// Potential energy that the last step gave a floe by parting it from bodies that it overlapped [J].
+  double gained_by_parting(const rigid_body::World& world, BodyId body) const;
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {

@@ -114,7 +114,7 @@ void average_contacts(State& s, const Laws& laws, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.loads);
   const double dt = laws.resolved.time.step;
   const auto contacts = contacts_by_place(s.world);
-  average_stress(s.world, contacts, dt, s.floes);
+  update_stress(s.world, contacts, laws.stress, dt, s.floes);
   const auto level_ice_of = [&](BodyId part) { return s.tiles.level_ice_of(part); };
   const auto in_sheet = [&](int level_ice, const rigid_body::ContactLoad& contact) {
     rigid_body::ContactLoad there = contact;

@@ -4,17 +4,17 @@
 #include <array>
 #include <vector>
 
+#include "brash/model/case.hpp"
 #include "brash/rigid_body/world.hpp"
 
 namespace brash::simulation {
 
 class FloePopulation;
 
-/// Mean stress of a floe from its contact forces (Love-Weber), averaged over its collision time T_col; tension
-/// positive.
+/// Mean stress of a floe from its contact forces (Love-Weber), as StressLaw averages it; tension positive.
 struct MeanStress {
   std::array<double, 6> now{};    ///< xx, yy, zz, xy, yz, zx [Pa]
-  double peak_compression = 0.0;  ///< largest principal compression so far [Pa]
+  double peak_compression = 0.0;  ///< largest compression so far that StressLaw compares with the strength [Pa]
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
@@ -28,15 +28,25 @@ struct MeanStress {
   }
 };
 
+/// The stress that decides whether a floe is crushed; contact.floe_stress.
+struct StressLaw {
+  explicit StressLaw(const model::ContactSection& contact)
+      : averaged(contact.floe_stress == model::FloeStress::kAveraged),
+        of_contacts(contact.floe_stress == model::FloeStress::kContact) {}
+
+  bool averaged;     ///< over the collision time T_col; else it is of the last step
+  bool of_contacts;  ///< the largest normal force of a contact over its area; else the mean over the floe
+};
+
 /// The contacts of the world's last step, sorted by their places: sums over them do not depend on the bodies' ids.
 std::vector<const rigid_body::ContactLoad*> contacts_by_place(const rigid_body::World& world);
 
-/// Averages the stress of every floe that is awake over a step of `dt` [s].
+/// Takes the contacts of a step of `dt` [s] into the stress of every floe that is awake.
 /// @param contacts  contacts_by_place().
-void average_stress(const rigid_body::World& world, const std::vector<const rigid_body::ContactLoad*>& contacts,
-                    double dt, FloePopulation& floes);
+void update_stress(const rigid_body::World& world, const std::vector<const rigid_body::ContactLoad*>& contacts,
+                   const StressLaw& law, double dt, FloePopulation& floes);
 
-/// Floes that are awake and whose mean compressive stress exceeds `strength` [Pa], sorted by body.
+/// Floes that are awake and whose compressive stress exceeds `strength` [Pa], sorted by body.
 std::vector<BodyId> overstressed(const rigid_body::World& world, const FloePopulation& floes, double strength);
 
 }  // namespace brash::simulation

@@ -110,6 +110,8 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
                takes.file || takes.knows_field,
                "failure.model = \"network\", \"deep-network\" or \"superposition\", which have a range, or "
                "\"plate-outline\"");
+  keys.look_at("failure.small_contact", c.failure.small_contact, usual.failure.small_contact, takes.file,
+               "failure.model = \"network\", \"deep-network\" or \"superposition\"");
   keys.look_at("failure.lateness", c.failure.lateness, 0.0, takes.knows_field, "failure.model = \"plate-outline\"");
   if (const model::FloatingBody* const body = afloat(c.structure.motion))
     keys.look_at("structure.motion.thrust_arm", body->thrust_arm, Vec3{}, body->thrust != Vec3{},

@@ -78,9 +78,10 @@ std::vector<model::FloeRecord> lay_floes(State& s, const Laws& laws);
 /// A field that nothing drives rests until the structure comes.
 void begin_asleep(State& s, const Laws& laws);
 void fall_asleep_or_wake(State& s, const Laws& laws, Step& step);
-/// Contact forces averaged over each floe's collision time: its stress, its bending, and its load on level ice.
+/// Contact forces as each floe's stress takes them, and averaged over its collision time: its bending, and its load on
+/// level ice.
 void average_contacts(State& s, const Laws& laws, Step& step);
-/// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
+/// Floes whose compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
 void remove_crushed_floes(State& s, const Laws& laws, Step& step);
 /// Floes split whose bending tension exceeds the flexural strength.
 void split_floes(State& s, const Laws& laws, Step& step);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "state.hpp"
 
+#include <limits>
+
 #include "borders.hpp"
 #include "brash/core/error.hpp"
 #include "brash/simulation/scales.hpp"
@@ -15,19 +17,6 @@ std::optional<rigid_body::Bed> bed_of(const model::Case& c, double crushing_pres
   if (!c.water.depth) return std::nullopt;
   return rigid_body::Bed{
       .height = -*c.water.depth, .law = {c.water.bed_friction, crushing_pressure}, .velocity = bed_past_ice(c)};
-}
-
-rigid_body::WorldSettings world_settings(const model::Case& c) {
-  const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
-  return {.ice_structure = {c.ice.friction_structure, crushing},
-          .ice_ice = {c.ice.friction_ice, crushing},
-          .bed = bed_of(c, crushing),
-          .restitution = c.contact.restitution,
-          .iterations = c.contact.iterations,
-          .collision_margin = c.contact.margin,
-          .release_speed = c.time.settle_speed,
-          .engine = c.contact.engine == model::ContactEngine::kBullet ? rigid_body::Engine::kBullet
-                                                                      : rigid_body::Engine::kBrash};
 }
 
 /// Of each level ice; none where edges do not move.
@@ -54,6 +43,22 @@ std::optional<const Coverage> coverage_of(const model::Case& c, const structure:
 
 }  // namespace
 
+rigid_body::WorldSettings world_settings(const model::Case& c) {
+  // The edge of level ice has its bound from edge_contacts().
+  const double crushing = c.contact.crushing_bound == model::CrushingBound::kAll
+                              ? c.ice.compressive_strength * c.ice.crushing_factor
+                              : std::numeric_limits<double>::infinity();
+  return {.ice_structure = {c.ice.friction_structure, crushing},
+          .ice_ice = {c.ice.friction_ice, crushing},
+          .bed = bed_of(c, crushing),
+          .restitution = c.contact.restitution,
+          .iterations = c.contact.iterations,
+          .collision_margin = c.contact.margin,
+          .release_speed = c.time.settle_speed,
+          .engine = c.contact.engine == model::ContactEngine::kBullet ? rigid_body::Engine::kBullet
+                                                                      : rigid_body::Engine::kBrash};
+}
+
 Laws::Laws(const model::Case& c)
     : resolved(c),
       hull(structure::make_hull(c.structure)),
@@ -61,7 +66,8 @@ Laws::Laws(const model::Case& c)
       regions(structure::regions_of(c.structure, *hull)),
       coverage(coverage_of(c, *hull, regions)),
       pattern(ice::make_crack_pattern(c.failure)),
-      water(resolved) {}
+      water(resolved),
+      stress(c.contact) {}
 
 State::State(const Laws& laws, ice::Field laid, Workers& workers)
     : motion(structure::make_motion(laws.resolved, *laws.hull)),

@@ -40,6 +40,7 @@ struct Laws {
   std::optional<const Coverage> coverage;           ///< of the regions of a hull
   std::unique_ptr<const ice::CrackPattern> pattern;
   FloeWater water;
+  StressLaw stress;
 };
 
 /// All that the next step depends on. What a checkpoint holds of it: checkpoint_of(); the rest is made again.
@@ -99,6 +100,9 @@ struct Step {
   RegionLoadSums region_loads;
   StageTimer timer;
 };
+
+/// The laws of contact of a case.
+rigid_body::WorldSettings world_settings(const model::Case& c);
 
 /// The criterion of more level ice; ice of the same kind shares one.
 void add_criterion(State& s, const Laws& laws, const ice::Plate& plate);

@@ -126,6 +126,20 @@ BOOST_AUTO_TEST_CASE(the_network_criterion_scales_by_equation_19) {
   BOOST_TEST(a.fails == (expected > 539e3));
 }
 
+BOOST_AUTO_TEST_CASE(the_density_of_ice_in_equation_18_leaves_the_scale_of_equation_19) {
+  const ModelFile model;
+  IceProperties dense = ice();
+  dense.length_density = 900.0;
+  const double l_c = characteristic_length(dense);
+  BOOST_TEST(l_c == characteristic_length(ice()) * std::pow(1025.0 / 900.0, 0.25), boost::test_tools::tolerance(1e-12));
+  const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, dense);
+  const Assessment a = criterion->assess(load());
+  const double expected = 4.0 * 0.511 * (0.5 / l_c) * 3e5 * 0.1 / (0.33 / characteristic_length(ice()));
+  BOOST_TEST(a.sigma_max == expected, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(a.breaking_length == 0.5 * l_c, boost::test_tools::tolerance(1e-9));
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kPlate, "", dense), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
   const ModelFile model;
   const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());
@@ -137,7 +151,7 @@ BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
   BOOST_TEST(criterion->assess(l).fails);
 }
 
-BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_keeps_its_force) {
+BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_keeps_force_or_pressure) {
   const ModelFile model;
   const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());
   LoadCase l = load();
@@ -148,6 +162,10 @@ BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_ke
   BOOST_TEST(below.below_range);
   BOOST_TEST(!below.above_range);
   BOOST_TEST(below.sigma_max == at_edge / 4.0, boost::test_tools::tolerance(1e-6));
+  const auto pressing =
+      make_criterion(model::FailureModel::kNetwork, model.file, ice(), {.keeps_pressure = true})->for_ice(ice());
+  BOOST_TEST(pressing->assess(l).sigma_max == at_edge);
+  BOOST_TEST(pressing->assess(load()).sigma_max == criterion->assess(load()).sigma_max);
   l = load();
   l.depth = 2.5 * characteristic_length(ice());
   BOOST_TEST(criterion->assess(l).above_range);

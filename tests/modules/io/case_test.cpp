@@ -100,6 +100,16 @@ BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out)
   BOOST_CHECK_THROW(read_case(kValidation, {"failure.model=wedge", "failure.second_order=true"}), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(readings_of_the_meta_model_need_a_network) {
+  const auto failure_of = [](std::vector<std::string> keys) { return read_case(kValidation, keys).failure; };
+  BOOST_TEST((failure_of({"failure.pressure=contact"}).pressure == EdgePressure::kContact));
+  BOOST_TEST((failure_of({}).pressure == EdgePressure::kEdge));
+  BOOST_TEST((failure_of({"failure.small_contact=keeps-pressure"}).small_contact == SmallContact::kKeepsPressure));
+  BOOST_TEST((failure_of({"failure.length_density=ice"}).length_density == LengthDensity::kIce));
+  for (const char* const key : {"failure.pressure=contact", "failure.length_density=ice"})
+    BOOST_CHECK_THROW(failure_of({"failure.model=wedge", key}), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other_keys_take) {
   const auto water_of = [](std::vector<std::string> keys) {
     keys.emplace_back("algorithm.preset=brash");
@@ -115,6 +125,8 @@ BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other
   BOOST_TEST((water_of({"hydrodynamics.drag=paper"}).form_drag_along == FormDragAlong::kVelocity));
   BOOST_TEST((water_of({"hydrodynamics.added_mass=0.7"}).added_mass_law == AddedMassLaw::kIsotropic));
   BOOST_TEST((water_of({"contact.engine=bullet"}).added_mass_law == AddedMassLaw::kIsotropic));
+  BOOST_TEST(
+      (water_of({"hydrodynamics.added_mass_law=none", "contact.engine=bullet"}).added_mass_law == AddedMassLaw::kNone));
   BOOST_CHECK_THROW(water_of({"hydrodynamics.drag=paper", "hydrodynamics.form_drag_along=normal"}), InputError);
   BOOST_CHECK_THROW(water_of({"contact.engine=bullet", "hydrodynamics.added_mass_law=plate"}), InputError);
 }
@@ -294,8 +306,14 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
   BOOST_TEST(names_in_schema("failure", "pattern") == names_in_model<CrackPattern>());
+  BOOST_TEST(names_in_schema("failure", "pressure") == names_in_model<EdgePressure>());
+  BOOST_TEST(names_in_schema("failure", "length_density") == names_in_model<LengthDensity>());
+  BOOST_TEST(names_in_schema("failure", "small_contact") == names_in_model<SmallContact>());
+  BOOST_TEST(names_in_schema("failure", "crushed_ice") == names_in_model<CrushedIce>());
   BOOST_TEST(names_in_schema("failure", "pieces") == names_in_model<Pieces>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
+  BOOST_TEST(names_in_schema("contact", "crushing_bound") == names_in_model<CrushingBound>());
+  BOOST_TEST(names_in_schema("contact", "floe_stress") == names_in_model<FloeStress>());
   BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
   BOOST_TEST(names_in_schema("hydrodynamics", "form_drag_along") == names_in_model<FormDragAlong>());

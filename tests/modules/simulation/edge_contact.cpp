@@ -58,6 +58,42 @@ struct Scene {
   }
 };
 
+BOOST_AUTO_TEST_CASE(projected_ice_that_stays_crushes_with_all_the_plan_under_the_structure) {
+  Scene scene;
+  const auto bound_at = [&](double x) { return scene.assessed(Listening(false), {x, 0.0}).front().bound; };
+  scene.resolved.contact.area = model::ContactArea::kProjected;
+  const double leaves = bound_at(-5.0);
+  scene.resolved.failure.crushed_ice = model::CrushedIce::kStays;
+  const double stays = bound_at(-5.0);
+  // The cone's section is largest at the top of the ice. Its segment beyond the edge is covered.
+  const double top = 6.8 + simulation::freeboard(scene.resolved).top / std::tan(radians(61.4));
+  const double half_angle = std::acos(5.0 / top);
+  const double segment = top * top * (half_angle - std::sin(half_angle) * std::cos(half_angle));
+  // The normals spread over 2 x 42.6 degrees in plan, and their sum is sin(a) / a as long as if they did not.
+  const double slope = radians(61.4), plan = std::sin(half_angle) / half_angle * std::sin(slope);
+  BOOST_TEST(stays == 0.5e6 * segment * std::hypot(plan, std::cos(slope)), boost::test_tools::tolerance(0.02));
+  // The ring between the sections at top and bottom is 0.18 m wide.
+  BOOST_TEST(leaves < 0.4 * stays);
+  const Listening criterion(false);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
+  BOOST_TEST(simulation::middle_outlines(model, {{-5.0, 0.0, 0.0}, {}}).empty());
+  BOOST_TEST(simulation::trailing_outlines(model, {{-5.0, 0.0, 0.0}, {}}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_pressure_on_the_edge_is_of_the_contact_or_of_the_edge) {
+  Scene scene;
+  for (const double x : {-6.7, -6.2}) {
+    scene.resolved.failure.pressure = model::EdgePressure::kContact;
+    BOOST_TEST(scene.load(false, {x, 0.0}).pressure == 0.5e6, boost::test_tools::tolerance(1e-12));
+    scene.resolved.failure.pressure = model::EdgePressure::kEdge;
+    const Listening criterion(false);
+    const simulation::EdgeContact contact = scene.assessed(criterion, {x, 0.0}).back();
+    const double in_plane = dot(plan(contact.on_ice), contact.region.normal);
+    BOOST_TEST(criterion.heard.pressure == in_plane / (contact.region.contact_length * 0.33),
+               boost::test_tools::tolerance(1e-12));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(only_a_criterion_that_asks_gets_the_outline) {
   Scene scene;
   BOOST_TEST(scene.load(false).outline.empty());

@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
     pool.world.move_structure(from_left, left, {{speed, 0, 0}, {}});
     pool.world.move_structure(from_right, right, {{-speed, 0, 0}, {}});
     (void)pool.step(dt);
-    average_stress(pool.world, contacts_by_place(pool.world), dt, pool.floes);
+    pool.take_stress(dt);
   }
   const double bound = 0.5e6;
   const double depth = n_steps * dt * speed;
@@ -56,9 +56,62 @@ double compression_against_a_wall(double speed) {
     pool.world.move_structure(body, wall, {{speed, 0, 0}, {}});
     pool.world.apply(floe, {{-1e4, 0, 0}, {}});
     (void)pool.step(dt);
-    average_stress(pool.world, contacts_by_place(pool.world), dt, pool.floes);
+    pool.take_stress(dt);
   }
   return pool.floes.at(floe).stress.peak_compression;
+}
+
+/// Force of a wall on a floe of 1 m by 1 m that 1 MN presses 1 mm into it, in the first step [N].
+double force_of_a_wall(const std::string& bound) {
+  Pool pool({"contact.crushing_bound=" + bound});
+  const BodyId floe = pool.add({0, -0.5}, {1, 0.5}, {});
+  const std::vector<Vec3> block{{-1, -2, -1}, {0, -2, -1}, {0, 2, -1}, {-1, 2, -1},
+                                {-1, -2, 1},  {0, -2, 1},  {0, 2, 1},  {-1, 2, 1}};
+  pool.world.add_structure(std::span(&block, 1), {{0.001, 0.0, 0.0}, {}});
+  pool.world.apply(floe, {{-1e6, 0.0, 0.0}, {}});
+  (void)pool.step(0.01);
+  double force = 0.0;
+  for (const rigid_body::ContactLoad& contact : pool.world.contacts()) force += contact.normal_force;
+  return force;
+}
+
+BOOST_AUTO_TEST_CASE(floes_are_rigid_where_the_crushing_bound_is_of_level_ice_alone) {
+  // sigma_c R on a face of 1 m by 0.33 m; a rigid floe at rest bears its whole load.
+  BOOST_TEST(force_of_a_wall("all") == 0.5e6 * 0.33, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(force_of_a_wall("level-ice") == 1e6, boost::test_tools::tolerance(1e-3));
+}
+
+/// A floe of 2 m by 1 m at rest before a wall that is 0.5 m wide and covers 1 mm of it.
+struct Pressed : Pool {
+  explicit Pressed(const std::string& law) : Pool({"contact.floe_stress=" + law}), floe(add({0, -0.5}, {2, 0.5}, {})) {
+    const std::vector<Vec3> block{{-1, -0.25, -1}, {0, -0.25, -1}, {0, 0.25, -1}, {-1, 0.25, -1},
+                                  {-1, -0.25, 1},  {0, -0.25, 1},  {0, 0.25, 1},  {-1, 0.25, 1}};
+    world.add_structure(std::span(&block, 1), {{0.001, 0.0, 0.0}, {}});
+  }
+  /// Its compression after a step under `force` [Pa].
+  double step_under(double force) {
+    world.apply(floe, {{-force, 0, 0}, {}});
+    (void)step(0.01);
+    take_stress(0.01);
+    return floes.at(floe).compression;
+  }
+  BodyId floe;
+};
+
+BOOST_AUTO_TEST_CASE(the_stress_of_a_floe_is_of_a_step_or_of_a_contact_or_averaged) {
+  const double mean = 1e4 / (2.0 * 0.33);  // 10 kN at 1 m from the middle, over the volume
+  const double at_contact = 1e4 / (0.5 * 0.33);
+  const auto close = boost::test_tools::tolerance(0.01);  // the floe turns a little
+  Pressed step("step"), contact("contact"), averaged("averaged");
+  BOOST_TEST(step.step_under(1e4) == mean, close);
+  BOOST_TEST(contact.step_under(1e4) == at_contact, close);
+  const double share = averaging_share(averaged.floes.at(averaged.floe), 0.01);
+  BOOST_TEST(averaged.step_under(1e4) == share * mean, close);
+  // The step after has no load, and the largest compression stays on record.
+  BOOST_TEST(step.step_under(0.0) < 0.01 * mean);
+  BOOST_TEST(contact.step_under(0.0) < 0.01 * at_contact);
+  BOOST_TEST(contact.floes.at(contact.floe).stress.peak_compression == at_contact, close);
+  BOOST_TEST(averaged.step_under(0.0) > 0.5 * share * mean);
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_held_at_one_end_has_the_same_stress_at_rest_and_on_its_way) {

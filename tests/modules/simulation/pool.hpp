@@ -10,6 +10,7 @@
 #include "energy_ledger.hpp"
 #include "floe_water.hpp"
 #include "sleep.hpp"
+#include "state.hpp"
 
 namespace brash::simulation::testing {
 
@@ -19,7 +20,7 @@ inline const std::string kValidation = BRASH_SOURCE_DIR "/experiments/validation
 struct Pool {
   explicit Pool(std::vector<std::string> overrides = {})
       : resolved(io::read_case(kValidation, overrides)),
-        world({.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}, .release_speed = resolved.time.settle_speed}),
+        world(world_settings(resolved)),
         floes(resolved),
         water(resolved),
         sleep(resolved) {}
@@ -41,6 +42,11 @@ struct Pool {
     model::LoadRow row;
     ledger.report(world, floes, row);
     return row;
+  }
+
+  /// The contacts of the last step, of `dt`, go into the stress of the floes.
+  void take_stress(double dt) {
+    update_stress(world, contacts_by_place(world), StressLaw(resolved.contact), dt, floes);
   }
 
   void remove(BodyId floe) {

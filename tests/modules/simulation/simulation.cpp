@@ -52,6 +52,29 @@ BOOST_AUTO_TEST_CASE(one_seed_gives_one_history_and_another_seed_another) {
   BOOST_TEST((first != bytes_of(simulation::run(short_case({"random.seed=2"})))));
 }
 
+BOOST_AUTO_TEST_CASE(no_ice_is_crushed_where_crushed_ice_stays) {
+  const auto last = [](const std::string& what) {
+    return simulation::run(short_case({"failure.crushed_ice=" + what}, 2.0)).results.loads.back();
+  };
+  const model::LoadRow leaves = last("leaves"), stays = last("stays");
+  BOOST_TEST(leaves.area_crushed > 0.0);
+  BOOST_TEST(stays.area_crushed == 0.0);
+  BOOST_TEST(stays.area_floes > 1.0);
+}
+
+/// Rigid floes that are deleted by the stress of a step: the watchdog ends a run whose accounts do not close.
+BOOST_AUTO_TEST_CASE(a_run_passes_its_watchdog_where_rigid_floes_are_crushed_and_deleted) {
+  for (const char* const engine : {"contact.engine=brash", "contact.engine=bullet"}) {
+    const simulation::Run run = simulation::run(
+        short_case({engine, "contact.crushing_bound=level-ice", "contact.floe_stress=step", "contact.area=projected",
+                    "failure.crushed_ice=stays", "hydrodynamics.added_mass_law=none", "ice.variation.thickness=0.1"},
+                   5.0));
+    BOOST_TEST(run.summary.n_floes_crushed > 0);
+    BOOST_TEST(run.results.loads.back().area_deleted > 0.0);
+    BOOST_TEST(run.summary.ledger.closes());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_case_under_another_name_runs_the_same) {
   for (const char* const preset : {"algorithm.preset=paper", "algorithm.preset=brash"}) {
     model::Case first = short_case({preset, "ice.variation.thickness=0.1"}, 2.0), other = first;

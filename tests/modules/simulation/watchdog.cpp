@@ -70,6 +70,24 @@ BOOST_AUTO_TEST_CASE(floes_that_collide_drift_and_tilt_pass) {
   BOOST_CHECK_NO_THROW(drifting.steps(300));
 }
 
+/// Two floes in the same place, the second so much higher that they overlap by `depth` [m].
+BOOST_AUTO_TEST_CASE(rigid_floes_that_the_engine_parts_pass) {
+  for (const char* const engine : {"brash", "bullet"}) {
+    for (const double depth : {0.02, 0.08}) {
+      Guarded pool({"contact.crushing_bound=level-ice", std::string("contact.engine=") + engine});
+      Pose lifted = pool.world.pose(pool.bodies[0]);
+      lifted.position.z += 0.33 - depth;
+      pool.world.set_state(pool.bodies[1], lifted, {});
+      model::LoadRow row;
+      pool.ledger.report(pool.world, pool.floes, row);
+      pool.watchdog = Watchdog(pool.resolved, kHull);
+      pool.watchdog.begin(pool.watched(row, {}));
+      BOOST_CHECK_NO_THROW(pool.steps(100));
+      BOOST_TEST(pool.world.pose(pool.bodies[1]).position.z > pool.world.pose(pool.bodies[0]).position.z);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_floe_faster_than_its_work_explains_ends_the_run) {
   Guarded pool;
   pool.steps(50);

@@ -34,6 +34,17 @@ BOOST_AUTO_TEST_CASE(a_square_plate_heaves_with_half_the_added_mass_of_a_square)
   BOOST_TEST(heave.period == 2.0 * kPi * std::sqrt((ice + water) / (1025.0 * kGravity * 4.0)), tt::tolerance(1e-3));
 }
 
+BOOST_AUTO_TEST_CASE(a_plate_without_added_mass_heaves_with_its_own_mass) {
+  auto laws = without_drag();
+  laws.emplace_back("hydrodynamics.added_mass_law=none");
+  FloatingFloe floe(2.0, 2.0, ice_and_water(laws));
+  floe.place(0.01, 0.0);
+  const Oscillation heave = oscillate(
+      floe, [&] { return floe.heave(); }, 1e-3, 21);
+  BOOST_TEST(heave.period == 2.0 * kPi * std::sqrt(900.0 * 0.33 / (1025.0 * kGravity)), tt::tolerance(1e-3));
+  BOOST_TEST(floe.inertia().mass == 900.0 * 0.33 * 4.0, tt::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(a_floe_in_the_air_falls_without_added_mass) {
   FloatingFloe floe(2.0, 2.0, ice_and_water(laws_of_the_water()));
   floe.place(5.0, 0.3);

@@ -22,9 +22,11 @@ struct IceProperties {
   double compressive_strength = 0.0;  ///< sigma_c [Pa]
   double crushing_factor = 0.5;       ///< R of Eq. 15 [-]
   double water_density = 1025.0;      ///< rho_w [kg/m3]
+  /// rho of Eq. 18 [kg/m3]; absent: the water's. Only the networks take another one.
+  std::optional<double> length_density{};
 };
 
-/// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density;
+/// l_c = (E h^3 / (12 rho g (1 - nu^2)))^(1/4) [m], Eq. 18 with IceProperties::length_density;
 /// docs/theory/fracture-of-the-edge.md, (1).
 double characteristic_length(const IceProperties& ice);
 
@@ -97,7 +99,7 @@ struct LoadCase {
   double angle = 0.0;           ///< theta [rad]
   double mu1 = 0.0;             ///< P / N [-]
   double mu2 = 0.0;             ///< f / N [-]
-  double pressure = 0.0;        ///< p = N / (c h) [Pa]
+  double pressure = 0.0;        ///< p = N / (c h) [Pa]; for a network it may be of another area
   /// The free edge around B for a criterion with needs_outline(), else empty [m]: from y < 0 to y > 0 in the frame of
   /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
   /// points of it, one after the other. f acts along y.
@@ -162,11 +164,14 @@ struct BendingOptions {
   bool coarse_first = false;
   /// Assessment::crack is wanted: `plate-outline`.
   bool trace_crack = false;
+  /// A contact below the range keeps its pressure p in place of its force p c h: `network`, `deep-network` and
+  /// `superposition`.
+  bool keeps_pressure = false;
 };
 
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
-///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
+///   the model's range are moved into it; below the smallest c the load keeps its total force p c h, or its pressure.
 /// - `deep-network`: the same inputs and outputs by a larger network, which knows two humps of the stress.
 /// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h,
 ///   but for the h / l_c of the shear flexibility, which is moved into the model's range.

@@ -126,6 +126,10 @@ struct FailureSection {
   EdgeMotion edge = EdgeMotion::kDynamic;
   JudgedAt judged = JudgedAt::kAnywhere;
   CrackPattern pattern = CrackPattern::kStress;
+  EdgePressure pressure = EdgePressure::kEdge;  ///< p of Eqs. 17 and 19
+  LengthDensity length_density = LengthDensity::kWater;
+  SmallContact small_contact = SmallContact::kKeepsForce;
+  CrushedIce crushed_ice = CrushedIce::kLeaves;
   Pieces pieces = Pieces::kBreak;  ///< whether floes break again
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;
@@ -136,10 +140,12 @@ struct ContactSection {
   ContactEngine engine = ContactEngine::kBrash;
   double restitution = 0.0;
   ContactArea area = ContactArea::kSurface;
+  CrushingBound crushing_bound = CrushingBound::kAll;
   double margin = 0.005;
   int iterations = 30;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
+  FloeStress floe_stress = FloeStress::kAveraged;  ///< that deletes them
 
   friend bool operator==(const ContactSection&, const ContactSection&) = default;
 };

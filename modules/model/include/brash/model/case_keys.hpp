@@ -213,6 +213,10 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "edge", c.failure.edge);
   visit("failure", "judged", c.failure.judged);
   visit("failure", "pattern", c.failure.pattern);
+  visit("failure", "pressure", c.failure.pressure);
+  visit("failure", "length_density", c.failure.length_density);
+  visit("failure", "small_contact", c.failure.small_contact);
+  visit("failure", "crushed_ice", c.failure.crushed_ice);
   visit("failure", "pieces", c.failure.pieces);
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
@@ -222,10 +226,12 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "engine", c.contact.engine);
   visit("contact", "restitution", c.contact.restitution);
   visit("contact", "area", c.contact.area);
+  visit("contact", "crushing_bound", c.contact.crushing_bound);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
   visit("contact", "stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
+  visit("contact", "floe_stress", c.contact.floe_stress);
   visit("hydrodynamics", "drag", c.hydrodynamics.drag);
   visit("hydrodynamics", "shading", c.hydrodynamics.shading);
   visit("hydrodynamics", "shading_gap", c.hydrodynamics.shading_gap);

@@ -60,6 +60,26 @@ enum class CrackPattern {
   kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
   kStress  ///< a crack along the stress to the free edge, with radial cracks
 };
+/// [failure] pressure: p of Eqs. 17 and 19.
+enum class EdgePressure {
+  kEdge,    ///< the in-plane force over contact length and thickness, N / (c h)
+  kContact  ///< the normal force over the area A of Eqs. 15 and 16
+};
+/// [failure] length_density: rho of Eq. 18, the characteristic length.
+enum class LengthDensity {
+  kWater,  ///< of the foundation
+  kIce
+};
+/// [failure] small_contact: the quantity that a contact keeps when it is widened to the smallest of the model.
+enum class SmallContact {
+  kKeepsForce,    ///< p c h
+  kKeepsPressure  ///< p
+};
+/// [failure] crushed_ice: whether ice leaves that the structure has passed through.
+enum class CrushedIce {
+  kLeaves,  ///< it leaves the sheet, and pieces are born without it
+  kStays    ///< only cracks change the sheet
+};
 /// [failure] pieces: whether floes break again.
 enum class Pieces {
   kBreak,  ///< in the section where they bend most
@@ -75,6 +95,17 @@ enum class ContactEngine {
   kBrash,  ///< exact overlaps and a bounded solver, without a history
   kBullet  ///< Bullet as it is, with the crushing bound
 };
+/// [contact] crushing_bound: the contacts that Eq. 16 limits.
+enum class CrushingBound {
+  kAll,      ///< of all bodies: ice yields wherever it is pressed
+  kLevelIce  ///< of the structure and level ice alone: floes are rigid
+};
+/// [contact] floe_stress: the stress that crushes a floe.
+enum class FloeStress {
+  kAveraged,  ///< the mean over the floe and over its collision time
+  kStep,      ///< the mean over the floe in a step
+  kContact    ///< the normal force of a contact over its area, in a step
+};
 /// [hydrodynamics] drag: where the velocity of Eq. 13 is taken.
 enum class DragLaw {
   kSurface,  ///< on each element of the wetted surface; the same law brakes rotation
@@ -88,7 +119,8 @@ enum class FormDragAlong {
 /// [hydrodynamics] added_mass_law: the water that moves with a floe.
 enum class AddedMassLaw {
   kIsotropic,  ///< a share of the floe's mass in every direction, Eq. 12
-  kPlate       ///< of a plate in potential flow: by direction, on its wet faces
+  kPlate,      ///< of a plate in potential flow: by direction, on its wet faces
+  kNone
 };
 
 /// One value of a choice and its name.
@@ -151,6 +183,18 @@ template <>
 inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
                                                                                  {CrackPattern::kStress, "stress"}});
 template <>
+inline constexpr auto kNames<EdgePressure> = std::to_array<Named<EdgePressure>>({{EdgePressure::kEdge, "edge"},
+                                                                                 {EdgePressure::kContact, "contact"}});
+template <>
+inline constexpr auto kNames<LengthDensity> = std::to_array<Named<LengthDensity>>({{LengthDensity::kWater, "water"},
+                                                                                   {LengthDensity::kIce, "ice"}});
+template <>
+inline constexpr auto kNames<SmallContact> = std::to_array<Named<SmallContact>>(
+    {{SmallContact::kKeepsForce, "keeps-force"}, {SmallContact::kKeepsPressure, "keeps-pressure"}});
+template <>
+inline constexpr auto kNames<CrushedIce> = std::to_array<Named<CrushedIce>>({{CrushedIce::kLeaves, "leaves"},
+                                                                             {CrushedIce::kStays, "stays"}});
+template <>
 inline constexpr auto kNames<Pieces> = std::to_array<Named<Pieces>>({{Pieces::kBreak, "break"},
                                                                      {Pieces::kWhole, "whole"}});
 template <>
@@ -160,14 +204,21 @@ template <>
 inline constexpr auto kNames<ContactEngine> = std::to_array<Named<ContactEngine>>({{ContactEngine::kBrash, "brash"},
                                                                                    {ContactEngine::kBullet, "bullet"}});
 template <>
+inline constexpr auto kNames<CrushingBound> =
+    std::to_array<Named<CrushingBound>>({{CrushingBound::kAll, "all"}, {CrushingBound::kLevelIce, "level-ice"}});
+template <>
+inline constexpr auto kNames<FloeStress> = std::to_array<Named<FloeStress>>({{FloeStress::kAveraged, "averaged"},
+                                                                             {FloeStress::kStep, "step"},
+                                                                             {FloeStress::kContact, "contact"}});
+template <>
 inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
                                                                        {DragLaw::kPaper, "paper"}});
 template <>
 inline constexpr auto kNames<FormDragAlong> =
     std::to_array<Named<FormDragAlong>>({{FormDragAlong::kVelocity, "velocity"}, {FormDragAlong::kNormal, "normal"}});
 template <>
-inline constexpr auto kNames<AddedMassLaw> =
-    std::to_array<Named<AddedMassLaw>>({{AddedMassLaw::kIsotropic, "isotropic"}, {AddedMassLaw::kPlate, "plate"}});
+inline constexpr auto kNames<AddedMassLaw> = std::to_array<Named<AddedMassLaw>>(
+    {{AddedMassLaw::kIsotropic, "isotropic"}, {AddedMassLaw::kPlate, "plate"}, {AddedMassLaw::kNone, "none"}});
 
 template <typename T>
 concept Choice = std::is_enum_v<T> &&(kNames<T>.size() > 0);
@@ -190,7 +241,8 @@ constexpr std::optional<T> named(std::string_view name) {
 
 /// Which options a failure model takes: the one table that readers, the criterion and Python ask.
 struct FailureOptions {
-  bool file = false;          ///< it reads a model file
+  bool file = false;        ///< it reads a model file
+  bool meta_model = false;  ///< `pressure = "contact"` and `length_density = "ice"`: it is Eq. 17, without a foundation
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
   bool knows_field = false;   ///< `pattern = "stress"` and `judged = "anywhere"`: it knows the stress as a field
@@ -203,7 +255,7 @@ constexpr FailureOptions options_of(FailureModel model, bool own_file) {
   switch (model) {
     case FailureModel::kNetwork:
     case FailureModel::kDeepNetwork:
-      return {.file = true};
+      return {.file = true, .meta_model = true};
     case FailureModel::kSuperposition:
       return {.file = true, .second_order = true, .radial_first = !own_file};
     case FailureModel::kPlate:

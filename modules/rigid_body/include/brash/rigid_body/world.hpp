@@ -314,6 +314,9 @@ class World {
   Twist loaded_twist(BodyId id) const;
   /// Kinetic energy that the stream gave a body in the last step, because the body turned (M3) [J]; 0 in water at rest.
   double gained_by_turning(BodyId id) const;
+  /// Where a floe would be after the last step, had the engine not parted it from bodies that it overlapped (split
+  /// impulse); nothing if it did not. Only contacts without a crushing pressure are parted.
+  std::optional<Pose> unparted_pose(BodyId id) const;
   /// What loads and contacts of the last step gave a floe through its gyroscopic moment [J]: they change the spin
   /// within the step, so the moment works at the mean spin of (E2). It is large where a floe turns by a radian in a
   /// step.
