@@ -93,6 +93,7 @@ Variation::Variation(const model::Case& resolved)
                     resolved.field.edge_roughness, length / kCornersInLength};
 }
 
+// docs/theory/ice.md, (R3)
 std::vector<Vec2> Variation::first_edge(double width) const {
   const int n = edge_ ? std::max(1, static_cast<int>(std::ceil(width / edge_->spacing))) : 1;
   std::vector<Vec2> corners;

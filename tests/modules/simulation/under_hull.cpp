@@ -90,7 +90,7 @@ double speed_under_hull(double hull_speed, const std::string& shading) {
   return pool.world.twist(floe).linear.x;
 }
 
-/// The friction of the floe is balanced by the drag on its front:
+/// The friction of the floe is balanced by the drag on its front, docs/theory/structures.md, (K10):
 ///
 ///     mu (rho_w - rho_i) g l = 1/2 rho_w C_d w^2,  w the floe's speed through the water.
 ///
