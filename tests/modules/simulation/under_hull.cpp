@@ -81,7 +81,7 @@ double speed_under_hull(double hull_speed, const std::string& shading) {
   const BodyId structure = pool.world.add_structure(box, hull);
   const BodyId floe = add_below_keel(pool, {-0.5 * kLength, -2.0}, {0.5 * kLength, 2.0});
   const Twist moves{{hull_speed, 0.0, 0.0}, {}};
-  for (double time = 0.0; time < 30.0; time += kStep) {
+  for (int step = 0; step < 3000; ++step) {
     hull.position.x += hull_speed * kStep;
     pool.world.move_structure(structure, hull, moves);
     pool.water.apply(pool.world, pool.floes, kStep, {});
