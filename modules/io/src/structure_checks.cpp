@@ -217,13 +217,17 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
                  {"structure", "angle"}, "the structure's front is vertical, and its plan has no area", "surface",
                  "write surface, which takes the area of the face itself");
   if (c.field.kind != model::FieldKind::kLevelIce) return;
+  std::string why = "the structure's front is vertical and bends no ice";
+  std::string remedy = remedy_of_vertical_front(c.structure.shape);
+  if (!is_vertical) {
+    why = fmt::format(
+        "the structure's front slopes at {:.4g} degrees and bends no ice, which sticks to it from {:.4g} "
+        "degrees on",
+        degrees(slope), degrees(std::atan(1.0 / c.ice.friction_structure)));
+    remedy += "; or lower ice.friction_structure";
+  }
   checks.require(!c.field.initial_crack || c.field.initial_crack_radius > 0.0, {"field", "initial_crack"},
-                 {"structure", "kind"},
-                 is_vertical ? "the structure's front is vertical and bends no ice"
-                             : fmt::format("the ice sticks to the structure's front, whose slope of {:.4g} degrees is "
-                                           "more than {:.4g} degrees, and is not bent",
-                                           degrees(slope), degrees(std::atan(1.0 / c.ice.friction_structure))),
-                 "false, or a field.initial_crack_radius", remedy_of_vertical_front(c.structure.shape));
+                 {"structure", "kind"}, why, "false, or a field.initial_crack_radius", remedy);
 }
 
 /// @param reach   how far the structure reaches ahead of its origin in the ice [m].
