@@ -7,7 +7,7 @@
 namespace brash::failure {
 namespace {
 
-/// Ice whose Eq. 18 has the water's density, as that of the training plates has.
+/// Ice whose Eq. 18 has the water's density, as in the training plates.
 IceProperties on_water(IceProperties ice) {
   ice.length_density.reset();
   return ice;

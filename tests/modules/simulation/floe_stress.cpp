@@ -76,7 +76,7 @@ double force_of_a_wall(const std::string& bound) {
 }
 
 BOOST_AUTO_TEST_CASE(floes_are_rigid_where_the_crushing_bound_is_of_level_ice_alone) {
-  // sigma_c R on a face of 1 m by 0.33 m; a rigid floe at rest bears its whole load.
+  // sigma_c R on a face of 1 m by 0.33 m; a rigid floe at rest carries its whole load.
   BOOST_TEST(force_of_a_wall("all") == 0.5e6 * 0.33, boost::test_tools::tolerance(1e-3));
   BOOST_TEST(force_of_a_wall("level-ice") == 1e6, boost::test_tools::tolerance(1e-3));
 }

@@ -21,8 +21,7 @@ class StructureFlow {
   /// of the surface on the same ray from the centre: it runs along the hull there, and continuously.
   Vec3 at(Vec3 point, Vec2 velocity) const;
 
-  /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (docs/theory/water.md, (H22)). 0
-  /// inside.
+  /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (docs/theory/water.md, (H22)).
   Vec3 acceleration(Vec3 point, Vec2 velocity) const;
 
  private:
