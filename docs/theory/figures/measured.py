@@ -4,21 +4,21 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from style import GREY, RED, SERIES
-from tables import numbers, table
+from tables import csv_table, numbers, table
 
 
 def solver():
     figure, axes = plt.subplots(1, 2, figsize=(8.5, 3.0), constrained_layout=True)
-    head, *rows = table("contacts-and-bodies.md", "mean resistance [kN]")
-    for (name, *cells), colour in zip(rows, SERIES):
-        points = [(float(n), float(cell)) for n, cell in zip(head[1:], cells) if cell]
-        axes[0].semilogx(*zip(*points), "o-", ms=4, color=colour, label=name.split(" (")[0])
+    head, *rows = csv_table("jam")
+    for name, *cells, colour in zip(head[1:], *[row[1:] for row in rows], SERIES):
+        points = [(float(row[0]), float(cell)) for row, cell in zip(rows, cells) if cell]
+        axes[0].semilogx(*zip(*points), "o-", ms=4, color=colour, label=name)
     axes[0].set(xlabel="iterations", ylim=(40, 52))
     axes[0].set_title("mean resistance of a jam [kN]", loc="left")
-    rows = [[float(cell) for cell in row] for row in table("contacts-and-bodies.md", "sweeps | without: mean")[1:]]
-    sweeps, *columns = zip(*rows)
+    head, *rows = csv_table("residual")
+    sweeps, *columns = zip(*[[float(cell) for cell in row] for row in rows])
     for values, colour, style, name in zip(columns, (SERIES[0], SERIES[0], SERIES[1], SERIES[1]), ("o-", "o:", "o-", "o:"),
-                                           ("without, mean", "without, 90 %", "with momentum, mean", "with, 90 %")):
+                                           head[1:]):
         axes[1].loglog(sweeps, values, style, ms=4, color=colour, label=name)
     axes[1].set_xlabel("sweeps")
     axes[1].set_title("residual of a row in a run [m/s]", loc="left")

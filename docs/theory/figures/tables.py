@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measurements are drawn from the tables of their pages, so a figure and its table never differ."""
+import csv
 import pathlib
 import re
 
@@ -21,3 +22,9 @@ def table(page, head):
 def numbers(text):
     """All numbers of a cell, such as a mean with its interval."""
     return [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text)]
+
+
+def csv_table(name):
+    """The head and the rows of tables/NAME.csv, without its comments; cells as text."""
+    lines = (THEORY / f"tables/{name}.csv").read_text(encoding="utf-8").splitlines()
+    return list(csv.reader(line for line in lines if not line.startswith("#")))
