@@ -4,18 +4,18 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from style import GREY, RED, SERIES
-from tables import csv_table, numbers, table
+from tables import table
 
 
 def solver():
     figure, axes = plt.subplots(1, 2, figsize=(8.5, 3.0), constrained_layout=True)
-    head, *rows = csv_table("jam")
+    head, *rows = table("jam")
     for name, *cells, colour in zip(head[1:], *[row[1:] for row in rows], SERIES):
         points = [(float(row[0]), float(cell)) for row, cell in zip(rows, cells) if cell]
         axes[0].semilogx(*zip(*points), "o-", ms=4, color=colour, label=name)
     axes[0].set(xlabel="iterations", ylim=(40, 52))
     axes[0].set_title("mean resistance of a jam [kN]", loc="left")
-    head, *rows = csv_table("residual")
+    head, *rows = table("residual")
     sweeps, *columns = zip(*[[float(cell) for cell in row] for row in rows])
     for values, colour, style, name in zip(columns, (SERIES[0], SERIES[0], SERIES[1], SERIES[1]), ("o-", "o:", "o-", "o:"),
                                            head[1:]):
@@ -36,10 +36,10 @@ def crushed():
     axes[0].plot(slender, 0.5 * (1 + 0.3 * slender / 2), color=SERIES[0])
     axes[0].set(xlabel="length over width $L/W$", ylim=(0, 1.15))
     axes[0].set_title(r"largest possible stress over $\sigma_c$", loc="left")
-    [_, _, fine] = next(row for row in table("fracture-of-floes.md", "20 s of validation")[1:] if "mean stress" in row[0])
-    _, *hard = table("fracture-of-floes.md", "cone, ice, time")
-    bars = list(zip(("validation, median", "validation, 95 %", "validation, largest"), numbers(fine)))
-    bars += [(f"{row[0]}, largest", numbers(row[2])[0]) for row in hard]
+    head, *rows = table("crushed")
+    stress = {row[0].removeprefix("mean stress: "): row[2:] for row in rows if row[0].startswith("mean stress")}
+    bars = [(f"validation, {name}", float(cells[1])) for name, cells in stress.items()]
+    bars += [(f"{name}, largest", float(cell)) for name, cell in zip(head[4:], stress["largest"][2:])]
     for i, (_, value) in enumerate(reversed(bars)):
         axes[1].barh(i, value, color=SERIES[0], alpha=0.8, height=0.6)
     axes[1].set_yticks(range(len(bars)), [name for name, _ in reversed(bars)])
