@@ -299,10 +299,9 @@ class Texts(unittest.TestCase):
         predictions = {name: predict.prediction_of(f"m6/{name}") for name in ("s2", "s9")}
         rows = [{**row, "arm": {"a": "light", "b": "heavy"}[row["arm"]]} for row in two_arms(0.8)]
         text, found = tables.signs(predictions, lambda name: rows if name == "m6/s2" else [], 10, "paper")
-        self.assertRegex(text, r"S2.* \| \*\*shown\*\* \|.*\| \[claims\]\(s2/claims-paper.png\) \|")
-        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\*( \| -){4} \|")
+        self.assertRegex(text, r"\| \[S2\]\(s2/claims-paper.csv\) \|.* \| \*\*shown\*\* \|.*\| 0 of 0 \|")
+        self.assertIn("\nNot run: S9, nearest sign only.\n", text)
         self.assertEqual(list(found), ["s2"])
-        self.assertIn("| [S2](s2/verdict-paper.md) |", text)
         text, found = tables.signs(predictions, lambda name: [row for row in rows if row["point"] < 4], 10, "paper")
         self.assertRegex(text, r"\| S2 \|.*\| \*\*4 of 16 points\*\*( \| -){4} \|")
         self.assertEqual(list(found), [])
