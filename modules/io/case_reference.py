@@ -47,12 +47,12 @@ def number(value):
 def bounds(key):
     """The range of a number as an interval; of an angle in degrees."""
     in_degrees = key.get("x-unit") == "rad"
-    words = {word: number(math.degrees(key[word]) if in_degrees else key[word])
+    words = {word: f"{math.degrees(key[word]):.4g}" if in_degrees else number(key[word])
              for word in ("minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum") if word in key}
-    if not words:
-        return ""
-    low = f"[{words['minimum']}" if "minimum" in words else f"({words.get('exclusiveMinimum', '-inf')}"
-    high = f"{words['maximum']}]" if "maximum" in words else f"{words.get('exclusiveMaximum', 'inf')})"
+    if len(words) < 2:
+        return f"≥ {words['minimum']}" if words else ""
+    low = f"[{words['minimum']}" if "minimum" in words else f"({words['exclusiveMinimum']}"
+    high = f"{words['maximum']}]" if "maximum" in words else f"{words['exclusiveMaximum']})"
     return f"{low}, {high}" + "°" * in_degrees
 
 
@@ -69,7 +69,7 @@ def allowed(key):
         rows = key["items"]["type"] == "array"
         other = ", or a file" if "string" in key["type"] else ""
         of = allowed({"x-unit": key.get("x-unit"), **key["items"]})
-        return f"{count} {'rows of' if rows else 'values'}{' ' if of else ''}{of}{other}"
+        return f"{count} rows of {of}{other}" if rows else f"{count} values, {of}"
     if kind == "boolean":
         return "bool"
     return " ".join(filter(None, ["whole" if kind == "integer" else "text" if kind == "string" else "", bounds(key)]))
