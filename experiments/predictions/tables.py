@@ -321,8 +321,8 @@ def signs(predictions, rows_elsewhere, family, preset):
             fewer[name] = too_few
     verdicts = judged(found, family) if found else {}
     lines = ["## Ten signs", "",
-             "| sign | statement | verdict | p, Holm | claim farthest from its statement | effect (95 %) | unsettled runs |",
-             "|---|---|---|---|---|---|---|"]
+             "| sign | verdict | p, Holm | claim farthest from the sign's statement | effect (95 %) | unsettled runs |",
+             "|---|---|---|---|---|---|"]
     not_run = []
     for name, prediction in predictions.items():
         label = prediction.criterion.get("stands_for", name.upper())
@@ -336,7 +336,7 @@ def signs(predictions, rows_elsewhere, family, preset):
             cells = [f"{p:.2g}" + (" of the opposite" if word == "contradicted" else ""), worst.claim["text"], effect_of(worst),
                      "{} of {}".format(*unsettled_of(rows)) if rows else "-"]
             label = f"[{label}]({name}/claims-{preset}.csv)"
-        lines.append(f"| {label} | {prediction.table['title']} | **{word}** | {' | '.join(cells)} |")
+        lines.append(f"| {label} | **{word}** | {' | '.join(cells)} |")
     if not_run:
         lines += ["", f"Not run: {', '.join(not_run)}."]
     return "\n".join(lines) + "\n", found
