@@ -87,8 +87,9 @@ std::string error_table(const std::vector<JudgedRow>& rows) {
   return text;
 }
 
-/// The errors in a few words.
+/// The errors in a few words; "" without a row.
 std::string errors_in_words(const std::vector<JudgedRow>& rows, const CardFacts& facts) {
+  if (rows.empty()) return "";
   const Spread all = spread(rows);
   std::string text = fmt::format(
       "\n**Errors** on {}: 95 % of {} rows have a stress within {:.2f} % and a length within {:.3f} l_c. The largest "
