@@ -18,7 +18,7 @@ def card_of(readme):
     title = re.search(r"^# (.*)$", text, re.MULTILINE)[1]
     paragraph = " ".join(text.split("\n\n")[1].split())
     end = END.search(paragraph)
-    sentence = (paragraph[:end.start()] if end else paragraph) + "."
+    sentence = paragraph[:end.start()] + end[0].replace(":", ".") if end else f"{paragraph}."
     picture = re.search(r"!\[[^]]*\]\(([^)]*)\)", text)
     return title, sentence, picture and readme.parent / picture[1]
 

@@ -63,6 +63,14 @@ def series_rows(prediction, rows, measured):
     return found
 
 
+def claim_row(outcome):
+    """A tested claim [SI]; `of`: of what the samples are."""
+    low, high = outcome.interval
+    return {"claim": outcome.claim["text"], "kind": outcome.claim["kind"], "effect": float(outcome.effect), "low": float(low),
+            "high": float(high), "samples": outcome.n, "of": "runs" if outcome.claim["kind"] == "share" else "points",
+            "left_out": outcome.left_out, "p": float(outcome.p), "p_opposite": float(outcome.opposite)}
+
+
 def exponents_of(rows, wanted, names):
     """{number: {point: exponent}} of the numbers that the rows have."""
     return {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})

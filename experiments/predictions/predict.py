@@ -4,7 +4,7 @@
 
 predict.py design FOLDER...        writes plan.toml from prediction.toml (--check: fails if it would differ)
 predict.py run FOLDER              runs or resumes the campaign: results/predictions/FOLDER-PRESET
-predict.py verdict FOLDER          the verdict; m6: the table of all signs (--record writes it and its numbers beside the inputs)
+predict.py verdict FOLDER          the verdict; m6: the table of all signs (--record writes it or its claims beside the inputs)
 predict.py indices FOLDER --of X   divides the variance of a number among the unknowns, with the surrogate's error
 predict.py quick [FOLDER...]       one short run a folder, compared with quick.csv, as the tests do
 
@@ -99,44 +99,52 @@ def rows_of(options, prediction):
 
 
 def verdict(options):
+    """Prints a verdict. --record writes the page, of claims only their numbers: the page of the signs is m6's."""
+    rows_elsewhere = functools.cache(lambda other: rows_of(options, prediction_of(other)))
     if options.folder.rstrip("/") in ("m6", str(HERE / "m6")):
-        predictions = {name: prediction_of(f"m6/{name}") for name in (f"s{i}" for i in range(1, 11))}
-        rows_elsewhere = functools.cache(lambda other: rows_of(options, prediction_of(other)))
-        text, found = tables.signs({name: p for name, p in predictions.items() if options.preset in p.presets},
-                                   rows_elsewhere, len(predictions), options.preset)
-        folder = HERE / "m6"
-        if options.record:
-            for name, outcomes in found.items():
-                pictures.draw(predictions[name], outcomes, lambda claim: rows_elsewhere(claim.get("from", f"m6/{name}")),
-                              folder / name, f"claims-{options.preset}")
+        folder, text = HERE / "m6", verdict_of_signs(options, rows_elsewhere)
     else:
         prediction = prediction_of(options.folder)
         rows = rows_of(options, prediction) if prediction.own_runs else []
         measured = tables.measured_rows(prediction, options)
-        text = tables.verdict(prediction, rows, measured, lambda other: rows_of(options, prediction_of(other)))
-        folder = prediction.folder
-        if options.record and rows:
-            record_numbers(prediction, rows, measured, options.preset)
-    if options.record:
+        folder, text = prediction.folder, tables.verdict(prediction, rows, measured, rows_elsewhere)
+        if options.record:
+            record_numbers(prediction, rows, measured, rows_elsewhere, options.preset)
+        if prediction.criterion["kind"] == "claims":
+            folder = None
+    if options.record and folder:
         (folder / f"verdict-{options.preset}.md").write_text(text, encoding="utf-8")
     print(text)
     return 0
 
 
-def numbers_of(prediction, rows, measured):
+def verdict_of_signs(options, rows_elsewhere):
+    """The table of all signs; --record draws the claims of each."""
+    predictions = {name: prediction_of(f"m6/{name}") for name in (f"s{i}" for i in range(1, 11))}
+    text, found = tables.signs({name: p for name, p in predictions.items() if options.preset in p.presets},
+                               rows_elsewhere, len(predictions), options.preset)
+    for name, outcomes in found.items() if options.record else ():
+        pictures.draw(predictions[name], outcomes, lambda claim: rows_elsewhere(claim.get("from", f"m6/{name}")),
+                      HERE / "m6" / name, f"claims-{options.preset}")
+    return text
+
+
+def numbers_of(prediction, rows, measured, rows_elsewhere):
     """{name: rows} of the CSV files beside a verdict."""
-    found = {"numbers": details.number_rows(prediction, rows)}
-    if prediction.criterion["kind"] == "series" and measured:
+    found = {"numbers": details.number_rows(prediction, rows) if rows else []}
+    if prediction.criterion["kind"] == "claims" and not tables.fewer_points(prediction, rows, rows_elsewhere):
+        found["claims"] = list(map(details.claim_row, tables.outcomes_of(prediction, rows, rows_elsewhere)))
+    if prediction.criterion["kind"] == "series" and measured and rows:
         found["series"] = details.series_rows(prediction, rows, measured)
-    if "exponent" in prediction.table:
+    if "exponent" in prediction.table and rows:
         found["exponents"] = details.exponent_rows(prediction, rows)
     return {name: list(map(details.rounded, table)) for name, table in found.items() if table}
 
 
-def record_numbers(prediction, rows, measured, preset):
-    for name, table in numbers_of(prediction, rows, measured).items():
+def record_numbers(prediction, rows, measured, rows_elsewhere, preset):
+    for name, table in numbers_of(prediction, rows, measured, rows_elsewhere).items():
         study.write_rows(prediction.folder / f"{name}-{preset}.csv", table)
-    if "exponent" in prediction.table:
+    if "exponent" in prediction.table and rows:
         pictures.exponents(prediction, rows, prediction.folder, f"exponents-{preset}")
 
 

@@ -97,10 +97,8 @@ def points_run(rows):
 def heading(prediction, rows):
     n = points_run(rows)
     failed = [row for row in rows if row.get("status") == "failed"]
-    lines = [f"## {prediction.table['title']}", ""]
-    if prediction.criterion["kind"] != "claims":  # the table of claims says what was predicted
-        lines += [*(f"> {line}" for line in prediction.criterion["text"].strip().splitlines()), ""]
-    lines += [f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
+    lines = [f"## {prediction.table['title']}", "",
+             f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}. Criterion: `prediction.toml`.", ""]
     if failed:
         named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
         lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** Series and claims leave them out, and a bound is open "
@@ -120,11 +118,15 @@ def interval_lines(prediction, rows, statistics):
                     f"{interval((row['low'], row['high']))} |" for row in asked] + [""]
 
 
-def unsettled_lines(rows):
+def unsettled_of(rows):
+    """(runs whose load still changes from the first half of the window to the second, runs)."""
     moving = [row for row in rows if row.get("second_half_over_first") is not None]
-    unsettled = sum(abs(row["second_half_over_first"] - 1.0) > UNSETTLED for row in moving)
-    return [f"In {unsettled} of {len(moving)} runs the load still changes by more than {UNSETTLED:.0%} from the first half of the "
-            "window to the second.", ""] if unsettled else []
+    return sum(abs(row["second_half_over_first"] - 1.0) > UNSETTLED for row in moving), len(moving)
+
+
+def unsettled_lines(rows):
+    unsettled, n = unsettled_of(rows)
+    return [f"In {unsettled} of {n} runs the load changes by more than {UNSETTLED:.0%} between the halves of the window.", ""] * (unsettled > 0)
 
 
 def test_line(found):
@@ -318,18 +320,25 @@ def signs(predictions, rows_elsewhere, family, preset):
         elif too_few != NOT_RUN:
             fewer[name] = too_few
     verdicts = judged(found, family) if found else {}
-    lines = ["## Ten signs", "", "| sign | statement | verdict | p, Holm | claim farthest from its statement | effect (95 %) | picture |",
-             "|---|---|---|---|---|---|---|"]
+    lines = ["## Ten signs", "",
+             "| sign | verdict | p, Holm | claim farthest from the sign's statement | effect (95 %) | unsettled runs |",
+             "|---|---|---|---|---|---|"]
+    not_run = []
     for name, prediction in predictions.items():
-        word, p = verdicts.get(name, (fewer.get(name, "not run"), math.nan))
         label = prediction.criterion.get("stands_for", name.upper())
-        p_cell = "-" if math.isnan(p) else f"{p:.2g}" + (" of the opposite" if word == "contradicted" else "")
-        cells = ["-", "-", "-"]
+        if name not in verdicts and name not in fewer:
+            not_run.append(label)
+            continue
+        word, p = verdicts.get(name, (fewer.get(name), math.nan))
+        cells = ["-", "-", "-", "-"]
         if name in found:
-            worst = worst_miss(found[name], word)
-            cells = [worst.claim["text"], effect_of(worst), f"[claims]({name}/claims-{preset}.png)"]
-            label = f"[{label}]({name}/verdict-{preset}.md)"
-        lines.append(f"| {label} | {prediction.table['title']} | **{word}** | {p_cell} | {' | '.join(cells)} |")
+            worst, rows = worst_miss(found[name], word), rows_elsewhere(f"m6/{name}") if prediction.own_runs else []
+            cells = [f"{p:.2g}" + (" of the opposite" if word == "contradicted" else ""), worst.claim["text"], effect_of(worst),
+                     "{} of {}".format(*unsettled_of(rows)) if rows else "-"]
+            label = f"[{label}]({name}/claims-{preset}.csv)"
+        lines.append(f"| {label} | **{word}** | {' | '.join(cells)} |")
+    if not_run:
+        lines += ["", f"Not run: {', '.join(not_run)}."]
     return "\n".join(lines) + "\n", found
 
 

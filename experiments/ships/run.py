@@ -5,7 +5,7 @@
 run.py speeds [--replicates N]    speeds.toml: mean resistance beside Lindqvist, Riska, Jeong and the friction of open water
 run.py attained                   attained.toml: the speed at which a constant thrust no longer accelerates her
 run.py floe_sizes                 floe_sizes.toml: the speed that a constant thrust gives her, and the test of its head
-run.py NAME --record              also writes NAME.csv, NAME.md and NAME.png here
+run.py NAME --record              also writes NAME.csv, NAME_means.csv and NAME.png here
 run.py NAME --from FOLDER         of a campaign that has run, or of the cases that it has finished so far
 
 Options of all: --brash PROGRAM, -o FOLDER of the campaign [results/NAME], --jobs N.
@@ -63,13 +63,19 @@ def formulas(brash, path):
             "open_water": open_water_friction(ship, speed, water)}
 
 
-def with_interval(values, unit=1e3):
-    """`mean (lower to upper)`; of fewer than three values, whose interval says nothing, the values."""
+def interval_cells(name, values, unit, digits):
+    """Mean of a column [unit], and its 95 % interval if there are three values or more, as cells `name`, `low`, `high`."""
     values = [value / unit for value in values]
-    if len(values) < 3:
-        return " and ".join(f"{value:.0f}" for value in values)
-    mean, half = study.mean_interval(values)
-    return f"{mean:.0f} ({mean - half:.0f} to {mean + half:.0f})"
+    mean, half = study.mean_interval(values) if len(values) > 2 else (np.mean(values), None)
+    ends = {"low": mean - half, "high": mean + half} if half is not None else {"low": "", "high": ""}
+    return {name: f"{mean:.{digits}f}", **{f"{name}_{end}": value if value == "" else f"{value:.{digits}f}" for end, value in ends.items()}}
+
+
+def means_text(means):
+    """Rows of means as aligned columns for the terminal."""
+    columns = [[name, *(row[name] for row in means)] for name in means[0]]
+    widths = [max(map(len, column)) for column in columns]
+    return "\n".join("  ".join(cell.rjust(width) for cell, width in zip(cells, widths)) for cells in zip(*columns))
 
 
 def exponents(rows, keys):
@@ -101,20 +107,19 @@ def exponent_lines(rows, fewest=3, slowest=0.5):
     return lines
 
 
-def speeds_table(rows):
-    lines = ["| thickness [m] | speed [m/s] | runs | resistance [kN] | bow [%] | crushing of the edge [%] | "
-             "Lindqvist [kN] | Riska [kN] | Jeong [kN] |",
-             "|---|---|---|---|---|---|---|---|---|"]
+def speeds_means(rows):
+    """A row a setting, and the exponents in words."""
+    means = []
     for thickness, speed in sorted({(row[THICKNESS], row[SPEED]) for row in rows}):
         of = [row for row in rows if (row[THICKNESS], row[SPEED]) == (thickness, speed)]
         mean = {key: np.mean([row[key] for row in of]) for key in of[0] if isinstance(of[0][key], float)}
         bow = 100 * mean["mean_by_region.bow.total.Fx"] / mean["horizontal.mean"]
         crushing = 100 * mean["horizontal.mean_by_cause.crushing"] / mean["horizontal.mean"]
-        lines.append(f"| {thickness:g} | {speed:g} | {len(of)} | {with_interval([row['horizontal.mean'] for row in of])} | "
-                     f"{bow:.0f} | {crushing:.0f} | "
-                     + " | ".join(f"{mean[name] / 1e3:.0f}" for name in ("lindqvist", "riska", "jeong")) + " |")
-    exponents = exponent_lines(rows)
-    return "\n".join(lines + [""] * bool(exponents) + exponents) + "\n"
+        means.append({"thickness_m": f"{thickness:g}", "speed_m_s": f"{speed:g}", "runs": str(len(of)),
+                      **interval_cells("resistance_kN", [row["horizontal.mean"] for row in of], 1e3, 0),
+                      "bow_percent": f"{bow:.0f}", "crushing_percent": f"{crushing:.0f}",
+                      **{f"{name}_kN": f"{mean[name] / 1e3:.0f}" for name in ("lindqvist", "riska", "jeong")}})
+    return means, exponent_lines(rows)
 
 
 def speeds_figure(rows, curves, folder):
@@ -146,7 +151,7 @@ def speeds(options, output, rows):
         curves[case["ice"]["thickness"], case["structure"]["speed"]] = formulas(options.brash, path)
     for row in rows:
         row.update(curves[row[THICKNESS], row[SPEED]])
-    return speeds_table(rows), lambda rows, folder: speeds_figure(rows, curves, folder)
+    return speeds_means(rows), lambda rows, folder: speeds_figure(rows, curves, folder)
 
 
 # The speed that a thrust gives her.
@@ -187,18 +192,18 @@ def towed_speed(rows, thickness=0.8):
     return float(np.interp(THRUST, need[rising:], speeds[rising:]))
 
 
-def attained_table(rows):
-    lines = ["| speed at the start [m/s] | runs | mean speed [m/s] | acceleration [mm/s2] | load of the ice [kN] |",
-             "|---|---|---|---|---|"]
+def attained_means(rows):
+    """A row a speed at the start, and the steady speed in words."""
+    means = []
     for start in sorted({row["setting"] for row in rows}):
         of = [row for row in rows if row["setting"] == start]
-        lines.append(f"| {start.removeprefix('from-')} | {len(of)} | {np.mean([row['mean_speed'] for row in of]):.2f} | "
-                     f"{with_interval([row['acceleration'] for row in of], 1e-3)} | "
-                     f"{with_interval([row['horizontal.mean'] for row in of])} |")
+        means.append({"start_m_s": start.removeprefix("from-"), "runs": str(len(of)),
+                      "mean_speed_m_s": f"{np.mean([row['mean_speed'] for row in of]):.2f}",
+                      **interval_cells("acceleration_mm_s2", [row["acceleration"] for row in of], 1e-3, 0),
+                      **interval_cells("load_kN", [row["horizontal.mean"] for row in of], 1e3, 0)})
     speed, lower, upper = steady_speed([row["mean_speed"] for row in rows], [row["acceleration"] for row in rows])
-    lines += ["", f"Steady speed at a thrust of {THRUST / 1e3:.0f} kN: {speed:.2f} m/s ({lower:.2f} to {upper:.2f}). The towed ship "
-                  f"needs that thrust at {towed_speed(study.read_rows(HERE / 'speeds.csv')):.2f} m/s."]
-    return "\n".join(lines) + "\n"
+    return means, [f"Steady speed at a thrust of {THRUST / 1e3:.0f} kN: {speed:.2f} m/s ({lower:.2f} to {upper:.2f}). The towed ship "
+                   f"needs that thrust at {towed_speed(study.read_rows(HERE / 'speeds.csv')):.2f} m/s."]
 
 
 def attained_figure(rows, folder):
@@ -218,7 +223,7 @@ def attained_figure(rows, folder):
 def attained(_options, output, rows):
     for row in rows:
         row["mean_speed"], row["acceleration"] = ride(output / "cases" / row["case"])
-    return attained_table(rows), attained_figure
+    return attained_means(rows), attained_figure
 
 
 # The size of floes.
@@ -238,17 +243,18 @@ def sizes_of(rows):
     return {size: [row for row in rows if row["setting"] == f"{size:g}m"] for size in sizes}
 
 
-def floe_sizes_table(rows):
-    by_size = sizes_of(rows)
-    lines = ["| floes [m] | fields | mean speed [m/s] | load of the ice [kN] | breaks | floes that broke |", "|---|---|---|---|---|---|"]
+def floe_sizes_means(rows):
+    """A row a size, and the test of the trend in words."""
+    by_size, means = sizes_of(rows), []
     for size, of in by_size.items():
-        mean, half = study.mean_interval([row["mean_speed"] for row in of]) if len(of) > 1 else (of[0]["mean_speed"], math.nan)
-        lines.append(f"| {size:g} | {len(of)} | {mean:.2f} ± {half:.2f} | {with_interval([row['horizontal.mean'] for row in of])} | "
-                     f"{np.mean([row['n_breaks'] for row in of]):.1f} | {np.mean([row['n_floes_broken'] for row in of]):.1f} |")
+        means.append({"floes_m": f"{size:g}", "fields": str(len(of)),
+                      **interval_cells("mean_speed_m_s", [row["mean_speed"] for row in of], 1.0, 2),
+                      **interval_cells("load_kN", [row["horizontal.mean"] for row in of], 1e3, 0),
+                      "breaks": f"{np.mean([row['n_breaks'] for row in of]):.1f}",
+                      "floes_that_broke": f"{np.mean([row['n_floes_broken'] for row in of]):.1f}"})
     test = study.brash_module().jonckheere_terpstra([[row["mean_speed"] for row in of] for of in by_size.values()])
     falls = 0.5 * test.p_value if test.statistic < 0 else 1.0 - 0.5 * test.p_value
-    lines += ["", f"Jonckheere and Terpstra, one-sided, that the speed falls with the size: z = {test.statistic:.2f}, p = {falls:.2g}."]
-    return "\n".join(lines) + "\n"
+    return means, [f"Jonckheere and Terpstra, one-sided, that the speed falls with the size: z = {test.statistic:.2f}, p = {falls:.2g}."]
 
 
 def floe_sizes_figure(rows, folder):
@@ -263,7 +269,7 @@ def floe_sizes_figure(rows, folder):
 def floe_sizes(_options, output, rows):
     for row in rows:
         row["mean_speed"] = mean_speed(output / "cases" / row["case"])
-    return floe_sizes_table(rows), floe_sizes_figure
+    return floe_sizes_means(rows), floe_sizes_figure
 
 
 # Of a whole campaign, or of one that still runs.
@@ -314,12 +320,12 @@ def main():
         study.campaign(options.brash, HERE / f"{name}.toml", output, options.quick, options.jobs, (), options.replicates,
                        may_fail=name == "floe_sizes")  # not every field of large floes can be 70 % full
     rows = rows_of(output, name)
-    table, draw = STUDIES[name](options, output, rows)
-    print(table)
+    (means, remarks), draw = STUDIES[name](options, output, rows)
+    print("\n".join([means_text(means), *remarks]))
     folder = HERE if options.record else output
     if options.record:
         study.write_rows(HERE / f"{name}.csv", rows)
-        (HERE / f"{name}.md").write_text(table, encoding="utf-8")
+        study.write_rows(HERE / f"{name}_means.csv", means)
     draw(rows, folder)
     print(f"picture in {folder}")
     return 0

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes docs/reference/case-file.md from case.schema.json and site_ice.json; with --check, fails when the page differs."""
 import json
+import math
 import pathlib
 import sys
 
@@ -14,21 +15,19 @@ INTRODUCTION = """\
 
 A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and below them lines `key = value`.
 
-- **Units.** A bare number is in the unit of the table below (SI). A string is a quantity with a unit, read by UDUNITS-2:
-  `thickness = 0.33` is `thickness = "33 cm"`, an angle is `"61.4 deg"`.
-- **Differences from UDUNITS.** `nmi` is the nautical mile and `ppt` parts per thousand. Exponents must be whole numbers,
-  but for a toughness: `"0.15 MPa m^0.5"`. Angles and ratios do not convert into each other.
-- **Errors.** The file is strict. An unknown, missing or doubled key ends the command with exit code 2, and so does a wrong
-  unit or a value out of range. The message names file, line, column, key, value, the allowed values and the remedy.
-- **Overrides.** `--set section.key=value` on the command line wins over the file. The value is TOML, or else a plain
-  string, so `--set 'ice.thickness=40 cm'` needs no inner quotes.
-- **Templates.** `brash schema --template` prints a case with every key. `brash check CASE.toml` prints a case in SI with all
-  defaults. `--ice` chooses [the ice of a site](#site-ice).
-- **Editors.** `brash schema > case.schema.json` writes a JSON Schema. The first line of a template names it,
-  `#:schema case.schema.json`. Editors that know this line, such as Taplo and Even Better TOML, check the keys and show their
-  meaning.
+- **Units.** A bare number has the unit below (SI, angles in rad). A string has its own, read by UDUNITS-2:
+  `thickness = "33 cm"`, `angle = "61.4 deg"`. `nmi` is the nautical mile, `ppt` parts per thousand. Exponents are whole
+  numbers, but for a toughness: `"0.15 MPa m^0.5"`. Angles and ratios do not convert into each other.
+- **Errors.** An unknown, missing or doubled key, a wrong unit or a value out of range ends the command with exit code 2.
+  The message names file, line, column, key, value, the allowed values and the remedy.
+- **Overrides.** `--set section.key=value` wins over the file. A value that is not TOML is a string, so
+  `--set 'ice.thickness=40 cm'` needs no inner quotes.
+- **Templates.** `brash schema --template` prints a case with every key, `brash check CASE.toml` a case in SI with its
+  defaults, `brash schema` the JSON Schema. An editor such as Taplo checks a case whose first line is
+  `#:schema case.schema.json`.
 
-In the sources, "paper" is the article whose model the program follows.
+In the tables, `[0, 1)` is the range from 0 to below 1. Names in brackets after a meaning are the kinds that have the key.
+Equations, sections, tables and figures without another source are the paper's.
 """
 
 
@@ -45,6 +44,18 @@ def number(value):
     return f"{value:.6g}"
 
 
+def bounds(key):
+    """The range of a number as an interval; of an angle in degrees."""
+    in_degrees = key.get("x-unit") == "rad"
+    words = {word: f"{math.degrees(key[word]):.4g}" if in_degrees else number(key[word])
+             for word in ("minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum") if word in key}
+    if len(words) < 2:
+        return f"≥ {words['minimum']}" if words else ""
+    low = f"[{words['minimum']}" if "minimum" in words else f"({words['exclusiveMinimum']}"
+    high = f"{words['maximum']}]" if "maximum" in words else f"{words['exclusiveMaximum']})"
+    return f"{low}, {high}" + "°" * in_degrees
+
+
 def allowed(key):
     """What a key may hold, in a table's cell."""
     if "enum" in key:
@@ -54,15 +65,14 @@ def allowed(key):
         return f"{len(key['x-units'])} values in {', '.join(key['x-units'])}"
     if kind == "array":
         least, most = key["minItems"], key.get("maxItems")
-        count = f"{least} or more" if most is None else f"{least}" if least == most else f"{least} to {most}"
+        count = f"≥ {least}" if most is None else f"{least}" if least == most else f"{least} to {most}"
         rows = key["items"]["type"] == "array"
         other = ", or a file" if "string" in key["type"] else ""
-        return f"{count} {'rows' if rows else 'values'}, each {allowed(key['items'])}{other}"
+        of = allowed({"x-unit": key.get("x-unit"), **key["items"]})
+        return f"{count} rows of {of}{other}" if rows else f"{count} values, {of}"
     if kind == "boolean":
-        return "`true`, `false`"
-    bounds = [f"{sign} {number(key[word])}" for word, sign in
-              (("minimum", "≥"), ("exclusiveMinimum", ">"), ("maximum", "≤"), ("exclusiveMaximum", "<")) if word in key]
-    return ", ".join((["whole number"] if kind == "integer" else ["text"] if kind == "string" else []) + bounds)
+        return "bool"
+    return " ".join(filter(None, ["whole" if kind == "integer" else "text" if kind == "string" else "", bounds(key)]))
 
 
 OTHER_UNITS = {"kg m-3": "kg/m3", "m s-1": "m/s", "1": ""}
@@ -79,10 +89,9 @@ def in_words(value, unit):
 def plausible_ranges(sections):
     """The plausible values of keys, narrower than the allowed ones, with their sources."""
     lines = ["## Plausible values", "",
-             "`check` and `run` [warn](warnings.md) of other values, and so does the page of `brash new --page`. Templates have the",
-             "ranges in comments. **Model ice or sea ice:** ice may be model ice if it is at most as thick as model ice in this",
-             "table, or if `reference.source` names a basin, an ice tank, a model test or model ice. Its values may lie in either",
-             "column. All other ice must lie in the column of the sea.", "",
+             "`check`, `run` and the page of `brash new --page` [warn](warnings.md) of other values. Ice is model ice if it is at most",
+             "as thick as model ice in this table, or if `reference.source` names a basin, an ice tank, a model test or model ice. Its",
+             "values may lie in either column, those at sea in the first.", "",
              "| key | at sea | model ice | sources |", "|---|---|---|---|"]
     for section, content in sections.items():
         for name, key in content["properties"].items():
@@ -108,10 +117,9 @@ def site_ice(schema):
     ice = json.loads((HERE / "site_ice.json").read_text(encoding="utf-8"))
     sites = ice["sites"]
     lines = ["## Site ice", "",
-             "`brash schema --template --ice NAME` and `brash new --ice NAME` write the ice and the water of a site, with the",
-             "source of each value in a comment. In Python, `brash.template(ice=NAME)` and `brash.new_case(ice=NAME)` do. The",
-             "default is the ice of the validation case, `basin`, whose sources are above. The others are typical values to",
-             "begin with: put in what is known of your site.", "",
+             "`brash schema --template --ice NAME` and `brash new --ice NAME` write the ice and water of a site, with a source beside each",
+             "value (Python: `brash.template(ice=NAME)`, `brash.new_case(ice=NAME)`). The default `basin` is the validation case's. The",
+             "others are typical values to begin with: put in what is known of your site.", "",
              "| key | " + " | ".join(f"`{name}`" for name in sites) + " | source |",
              "|---|" + "---|" * len(sites) + "---|"]
     for path, source in ice["keys"].items():
@@ -126,6 +134,31 @@ def site_ice(schema):
     return lines + [""]
 
 
+def default_of(key, name, section):
+    """The default of a key, and of the presets and kinds that differ."""
+    depends = "default" not in key and ("x-kinds" in key or "x-short-for" in key or "x-required" in key)
+    optional = key.get("x-optional-for", [])
+    depends = depends and set(optional) != set(key.get("x-kinds", [None]))
+    required = depends or name in section.get("required", [])
+    default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
+    if required and optional:
+        default += f"; {', '.join(optional)}: absent"
+    if "x-presets" in key:
+        default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())
+    for kind, names in key.get("x-of-kinds", {}).items():
+        if key["default"] not in names:
+            default += f"; {kind}: `{toml(names[0])}`"
+    return default
+
+
+def row(key, name, section):
+    unit = key.get("x-unit", "1")
+    named = f"`{name}`" + f" [{OTHER_UNITS.get(unit, unit)}]" * (unit != "1")
+    kinds = ", ".join(f"`{kind}`" for kind in key.get("x-kinds", []))
+    meaning = key["description"] + f" ({kinds})" * bool(kinds)
+    return f"| {named} | {default_of(key, name, section)} | {allowed(key)} | {meaning} |"
+
+
 def page():
     schema = json.loads((HERE / "case.schema.json").read_text(encoding="utf-8"))
     lines = [INTRODUCTION]
@@ -135,27 +168,8 @@ def page():
         sections[name] = content
         sections |= {f"{name}.{key}": inner for key, inner in keys.items() if "properties" in inner}
     for section, content in sections.items():
-        lines += [f"## `[{section}]`", "", content["description"], "",
-                  "| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
-        for name, key in content["properties"].items():
-            if "properties" in key:
-                continue
-            depends = "default" not in key and ("x-kinds" in key or "x-short-for" in key or "x-required" in key)
-            optional = key.get("x-optional-for", [])
-            depends = depends and set(optional) != set(key.get("x-kinds", [None]))
-            required = depends or name in content.get("required", [])
-            default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
-            if required and optional:
-                default += f"; {', '.join(optional)}: absent"
-            if "x-presets" in key:
-                default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())
-            for kind, names in key.get("x-of-kinds", {}).items():
-                if key["default"] not in names:
-                    default += f"; {kind}: `{toml(names[0])}`"
-            unit = key.get("x-unit", "")
-            kinds = ", ".join(f"`{kind}`" for kind in key.get("x-kinds", []))
-            meaning = key["description"] + f" Only with the `kind` {kinds}." * bool(kinds)
-            lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {meaning} |")
+        lines += [f"## `[{section}]`", "", content["description"], "", "| key | default | allowed | meaning |", "|---|---|---|---|"]
+        lines += [row(key, name, content) for name, key in content["properties"].items() if "properties" not in key]
         lines.append("")
     return "\n".join(lines + plausible_ranges(sections) + site_ice(schema))
 

@@ -299,12 +299,11 @@ class Texts(unittest.TestCase):
         predictions = {name: predict.prediction_of(f"m6/{name}") for name in ("s2", "s9")}
         rows = [{**row, "arm": {"a": "light", "b": "heavy"}[row["arm"]]} for row in two_arms(0.8)]
         text, found = tables.signs(predictions, lambda name: rows if name == "m6/s2" else [], 10, "paper")
-        self.assertRegex(text, r"S2.* \| \*\*shown\*\* \|.*\| \[claims\]\(s2/claims-paper.png\) \|")
-        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\*( \| -){4} \|")
+        self.assertRegex(text, r"\| \[S2\]\(s2/claims-paper.csv\) \| \*\*shown\*\* \|.*\| 0 of 0 \|")
+        self.assertIn("\nNot run: S9, nearest sign only.\n", text)
         self.assertEqual(list(found), ["s2"])
-        self.assertIn("| [S2](s2/verdict-paper.md) |", text)
         text, found = tables.signs(predictions, lambda name: [row for row in rows if row["point"] < 4], 10, "paper")
-        self.assertRegex(text, r"\| S2 \|.*\| \*\*4 of 16 points\*\*( \| -){4} \|")
+        self.assertRegex(text, r"\| S2 \| \*\*4 of 16 points\*\*( \| -){4} \|")
         self.assertEqual(list(found), [])
 
     def test_a_sign_that_reads_other_folders_needs_their_points(self):
@@ -314,7 +313,7 @@ class Texts(unittest.TestCase):
         self.assertIn("No verdict: 4 of 16 points of m6/s5, 4 of ", text)
         self.assertNotIn("**", text)
         text, found = tables.signs({"s10": prediction}, few, 10, "paper")
-        self.assertRegex(text, r"\| S10 \|.*\| \*\*4 of 16 points of m6/s5, .*\*\*( \| -){4} \|")
+        self.assertRegex(text, r"\| S10 \| \*\*4 of 16 points of m6/s5, .*\*\*( \| -){4} \|")
         self.assertEqual(found, {})
         self.assertIn("No verdict: not run.", tables.verdict(prediction, [], [], lambda _: []))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The ship's experiments: recorded tables follow from recorded rows, rows of unfinished campaigns, friction by ITTC."""
+"""The ship's experiments: recorded means follow from recorded rows, rows of unfinished campaigns, friction by ITTC."""
+import csv
 import json
 import math
 import os
@@ -16,14 +17,15 @@ import study
 
 
 class Ships(unittest.TestCase):
-    def test_recorded_tables_follow_from_the_recorded_rows(self):
-        for name, table in (("speeds", run.speeds_table), ("attained", run.attained_table), ("floe_sizes", run.floe_sizes_table)):
-            self.assertEqual(table(study.read_rows(SHIPS / f"{name}.csv")), (SHIPS / f"{name}.md").read_text(), name)
-
-    def test_the_page_leads_to_the_recorded_tables(self):
-        page = (SHIPS / "README.md").read_text()
-        for name in ("speeds", "attained", "floe_sizes"):
-            self.assertIn(f"]({name}.md)", page)
+    def test_recorded_means_and_the_page_follow_from_the_recorded_rows(self):
+        page = " ".join((SHIPS / "README.md").read_text().split())
+        for name, means in (("speeds", run.speeds_means), ("attained", run.attained_means), ("floe_sizes", run.floe_sizes_means)):
+            table, remarks = means(study.read_rows(SHIPS / f"{name}.csv"))
+            with open(SHIPS / f"{name}_means.csv", encoding="utf-8") as file:
+                self.assertEqual(list(csv.DictReader(file)), table, name)
+            self.assertIn(f"]({name}_means.csv)", page)
+            for remark in remarks:
+                self.assertIn(remark, page)
 
     def test_exponents_are_those_of_a_power_law(self):
         rows = [{run.SPEED: speed, run.THICKNESS: thickness, "horizontal.mean": 1e5 * speed**0.4 * thickness**1.5}

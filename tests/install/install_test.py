@@ -96,6 +96,7 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
     def test_documents_schema_and_completion_are_there(self):
         for name in ("share/brash/case.schema.json", "share/doc/brash/README.md", "share/doc/brash/CITATION.cff",
                      "share/doc/brash/docs/glossary.md", "share/brash/models/cone_network.md",
+                     "share/brash/models/cone_network_errors.csv",
                      "share/bash-completion/completions/brash", "share/man/man1/brash.1.gz", "lib/python3/dist-packages/brash/_brash.pyi"):
             self.assertTrue((self.prefix / name).is_file(), name)
 

@@ -7,11 +7,14 @@
 namespace brash::meta_model {
 namespace {
 
-std::string row(const std::string& name, const Errors& e) {
-  return fmt::format(
-      "| {} | {} | {} | {:+.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.0f} |\n", name,
-      e.n_rows, e.n_geometries, 100 * e.stress_bias, 100 * e.stress_rms, 100 * e.stress_median, 100 * e.stress_95,
-      100 * e.stress_max, e.stress_absolute_95, e.length_median, e.length_95, 100 * e.length_on_plateau);
+/// The region of the rows of which the ice bends before it is crushed.
+constexpr const char* kBendingRows = "sigma/p >= 0.25";
+
+std::string row(const std::string& part, const std::string& rows_of, const Errors& e) {
+  return fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.0f}\n", part, rows_of,
+                     e.n_rows, e.n_geometries, 100 * e.stress_bias, 100 * e.stress_rms, 100 * e.stress_median,
+                     100 * e.stress_95, 100 * e.stress_max, e.stress_absolute_95, e.length_median, e.length_95,
+                     100 * e.length_on_plateau);
 }
 
 std::string range_table(const Range& r) {
@@ -24,51 +27,62 @@ std::string range_table(const Range& r) {
   return text;
 }
 
-constexpr const char* kMustNot = R"(
-## Must not be used for
+/// The errors of the test rows in a few words.
+std::string errors_in_words(const TrainingReport& report, const std::string& errors_file) {
+  const Errors& test = report.test;
+  std::string text = fmt::format(
+      "\n**Errors** on {} geometries that took no part in the training: 95 % of {} rows have a stress within {:.2f} % "
+      "and a length\nwithin {:.3f} l_c. The largest error of the stress is {:.2f} %.",
+      test.n_geometries, test.n_rows, 100 * test.stress_95, test.length_95, 100 * test.stress_max);
+  for (const Region& region : report.regions)
+    if (region.name == kBendingRows)
+      text += fmt::format(" The two are {:.2f} and {:.2f} % where the ice bends before it is crushed ({}).",
+                          100 * region.errors.stress_95, 100 * region.errors.stress_max, kBendingRows);
+  return text + fmt::format("\n[By range]({}).\n", errors_file);
+}
 
-- **Inputs outside the range above.** The program clamps them and says so in its results. The errors do not hold there.
-- **Ice with h / l_c far from the value above.** Eq. 19 scales the bending stress only, neither the membrane stress nor the
-  shear flexibility. Solve the plate (`model = "plate"`) instead.
-- **Anything within about one ice thickness of the contact.** Plate theory means nothing there.
-- **Radial cracks, cracks from the re-entrant roots, splitting or crushing.** The outputs are the circumferential crack only.
-- **The place of the crack where two humps of the stress compete**, mostly at b < 0.25 l_c. The peak jumps from one hump to
-  the other. The network is smooth and can answer with a place between them. See the share of rows on the plateau.
-- **Large in-plane loads.** The data are linear plate theory without the second-order effect of N.
+constexpr const char* kMustNot = R"(
+**Not for**
+
+- inputs outside the range: the program moves them to its border and warns;
+- another h / l_c: Eq. 19 scales the bending stress only. Solve the plate (`model = "plate"`) instead;
+- the place of the crack where two humps of the stress compete, mostly at b < 0.25 l_c: the network is smooth and can
+  answer with a place between them (`on_plateau_percent` is the share of places with 99 % of the peak stress);
+- in-plane loads so large that their second-order effect counts;
+- places within about one ice thickness of the contact;
+- radial cracks, cracks from the re-entrant roots, splitting or crushing.
 )";
 
 }  // namespace
 
+std::string error_table(const TrainingReport& report) {
+  std::string text =
+      "part,rows_of,rows,geometries,stress_bias_percent,stress_rms_percent,stress_median_percent,stress_95_percent,"
+      "stress_max_percent,sigma_over_p_95,length_median_lc,length_95_lc,on_plateau_percent\n";
+  text += row("training", "all", report.train) + row("validation", "all", report.validation) +
+          row("test", "all", report.test);
+  for (const Region& region : report.regions) text += row("test", region.name, region.errors);
+  return text;
+}
+
 std::string model_card(const Network& network, const TrainingReport& report, const TrainingOptions& options,
                        const CardContext& context) {
-  std::string text = fmt::format("# Model card: {}\n\n", context.model_file);
-  text += fmt::format(
-      "Eq. 17 with {} logistic hidden units{}. It answers for a trapezoidal protrusion of a\n"
-      "floating plate. The outputs are the largest principal stress on the centre line over the contact pressure, "
-      "sigma/p, and its\nplace, l_break/l_c.\n\n",
-      options.hidden, options.separate ? " for each of the two outputs" : " and two outputs");
-  text += fmt::format("- content hash of the model (SHA-256): `{}`\n", context.content_sha256);
-  text += fmt::format("- training data: `{}`, SHA-256 `{}`\n", context.database_file, network.parameters().data_sha256);
-  text += fmt::format("- h / l_c of the training data: {}\n", network.thickness_over_lc());
-  for (const Start& start : report.starts) {
-    if (start.kept) {
-      text += fmt::format("- {}: best of {} random starts with seed {}, {} iterations of Levenberg-Marquardt ({})\n",
-                          start.serves, options.starts, options.seed, start.iterations, start.ended);
-    }
-  }
-  text += "\n## Range\n\n" + range_table(network.range());
+  std::string text = fmt::format(
+      "# Model card: {}\n\n"
+      "Predicts the largest stress on the centre line of a trapezoidal protrusion of a floating plate, over the "
+      "contact "
+      "pressure\n(sigma/p), and its place (l_break/l_c), by Eq. 17 with {} logistic hidden units{}.\n\n",
+      context.model_file, options.hidden, options.separate ? " for each of the two" : "");
+  text += range_table(network.range());
+  text += fmt::format("| h / l_c | {} | {} |\n", network.thickness_over_lc(), network.thickness_over_lc());
+  text += errors_in_words(report, context.errors_file) + kMustNot;
+  text += fmt::format("\n**Made** with content SHA-256 `{}`:\n\n    {}\n\nSHA-256 of `{}`: `{}`.\n",
+                      context.content_sha256, context.command, context.database_file, network.parameters().data_sha256);
   text +=
-      "\n## Errors\n\nThe stress error is predicted / computed - 1 [%]. The absolute one is predicted - computed "
-      "sigma/p. The length error is\npredicted - computed l_break / l_c. `on plateau` is the share [%] of rows whose "
-      "predicted place has at least 99 % of the\npeak stress. Geometries of the test part took no part in training or "
-      "stopping.\n\n";
-  text +=
-      "| rows of | rows | geometries | stress bias | rms | median | 95 % | max | absolute 95 % | length median | 95 % "
-      "| on plateau |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  text += row("training", report.train) + row("validation", report.validation) + row("test", report.test);
-  for (const Region& region : report.regions) text += row("test, " + region.name, region.errors);
-  return text + kMustNot;
+      fmt::format("\nBest of {} random starts with seed {}, by Levenberg-Marquardt:\n\n", options.starts, options.seed);
+  for (const Start& start : report.starts)
+    if (start.kept) text += fmt::format("- {}: {} iterations ({})\n", start.serves, start.iterations, start.ended);
+  return text;
 }
 
 }  // namespace brash::meta_model

@@ -81,7 +81,7 @@ std::vector<Region> errors_by_region(const Network& network, const std::vector<S
       {"mu1 >= 1", [](const Input& x, const Output&) { return x.mu1 >= 1.0; }},
       {"sigma/p < 0.25 (crushed first)", [](const Input&, const Output& y) { return y.sigma_over_p < 0.25; }},
       {"sigma/p >= 0.25", [](const Input&, const Output& y) { return y.sigma_over_p >= 0.25; }},
-      {"sigma/p >= 0.25, 0.3 <= mu1 < 1",
+      {"sigma/p >= 0.25 and 0.3 <= mu1 < 1",
        [](const Input& x, const Output& y) { return y.sigma_over_p >= 0.25 && x.mu1 >= 0.3 && x.mu1 < 1.0; }},
   }};
   std::vector<Region> regions;

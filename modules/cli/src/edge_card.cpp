@@ -15,17 +15,16 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/database/edge_database.hpp"
 #include "brash/failure/edge_break.hpp"
 #include "brash/failure/edge_responses.hpp"
 #include "brash/meta_model/training.hpp"
+#include "card_files.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using failure::EdgeGeometry;
 using failure::EdgeResponses;
 
@@ -126,29 +125,35 @@ std::array<double, 3> quantiles(const std::vector<Judged>& rows, Value value) {
   return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1.0)};
 }
 
-std::string percent(const std::array<double, 3>& q) {
-  return fmt::format("{:.2f} | {:.2f} | {:.1f}", 100 * q[0], 100 * q[1], 100 * q[2]);
+using Quantiles = std::array<double, 3>;  ///< 50, 95 and 100 %
+
+Quantiles load_errors(const std::vector<Judged>& rows, std::size_t v) {
+  return quantiles(rows, [v](const Judged& r) { return 100 * r.load[v]; });
 }
 
-std::string errors_table(const std::vector<Judged>& rows) {
-  std::string text = fmt::format(
-      "Of the responses from {} sqrt(l_c/g) on, over their largest value at that time [%]:\n\n"
-      "| | geometries | median | 95 % | max |\n|---|---|---|---|---|\n",
-      kEarliest);
-  text += fmt::format("| deflection of B | {} | {} |\n", rows.size(),
-                      percent(quantiles(rows, [](const Judged& r) { return r.deflection; })));
-  text += fmt::format("| moment on the axis | {} | {} |\n", rows.size(),
-                      percent(quantiles(rows, [](const Judged& r) { return r.moment; })));
-  text +=
-      "\nAt break, of the load N [%], the deflection of B [%] and the breaking length [l_c]:\n\n"
-      "| speed [m/s] | N median | 95 % | max | w median | 95 % | max | length median | 95 % | max |\n"
-      "|---|---|---|---|---|---|---|---|---|---|\n";
+Quantiles give_errors(const std::vector<Judged>& rows, std::size_t v) {
+  return quantiles(rows, [v](const Judged& r) { return 100 * r.give[v]; });
+}
+
+Quantiles length_errors(const std::vector<Judged>& rows, std::size_t v) {
+  return quantiles(rows, [v](const Judged& r) { return r.length[v]; });
+}
+
+/// Lines of the errors by range.
+/// @param contacts  sheet, outlines and their number, each before a comma.
+std::string error_lines(const std::string& contacts, const std::vector<Judged>& rows) {
+  const auto percent = [&](const char* number, const std::string& speed, const Quantiles& q) {
+    return fmt::format("{}{},{},percent,{:.2f},{:.2f},{:.1f}\n", contacts, number, speed, q[0], q[1], q[2]);
+  };
+  std::string text = percent("deflection", "", quantiles(rows, [](const Judged& r) { return 100 * r.deflection; })) +
+                     percent("moment on the axis", "", quantiles(rows, [](const Judged& r) { return 100 * r.moment; }));
   for (std::size_t v = 0; v < kSpeeds.size(); ++v) {
-    const auto length = quantiles(rows, [v](const Judged& r) { return r.length[v]; });
-    text += fmt::format(
-        "| {} | {} | {} | {:.4f} | {:.3f} | {:.3f} |\n", kSpeeds[v] > 0.0 ? fmt::format("{}", kSpeeds[v]) : "static",
-        percent(quantiles(rows, [v](const Judged& r) { return r.load[v]; })),
-        percent(quantiles(rows, [v](const Judged& r) { return r.give[v]; })), length[0], length[1], length[2]);
+    const std::string speed = fmt::format("{}", kSpeeds[v]);
+    const Quantiles length = length_errors(rows, v);
+    text += percent("load at break", speed, load_errors(rows, v)) +
+            percent("deflection at break", speed, give_errors(rows, v)) +
+            fmt::format("{}breaking length,{},l_c,{:.4f},{:.3f},{:.3f}\n", contacts, speed, length[0], length[1],
+                        length[2]);
   }
   return text;
 }
@@ -162,27 +167,71 @@ std::vector<Judged> usual(const std::vector<Judged>& rows) {
   return result;
 }
 
-std::string of_test(const char* sheet, const std::string& path, const Test& test) {
-  if (test.rows.empty()) return "";
-  std::string text =
-      fmt::format("\n## Errors, {} sheet\n\nThe errors are on {} geometries that the model has not seen (`{}`).\n\n",
-                  sheet, test.rows.size(), fs::path(path).filename().string()) +
-      errors_table(test.rows);
+/// The 95 % errors at break over the speeds kSpeeds[from] to kSpeeds[to]: a row of the card.
+std::string error_row(const std::string& name, const std::vector<Judged>& rows, std::size_t from, std::size_t to) {
+  double load = 0.0, give = 0.0, length = 0.0;
+  for (std::size_t v = from; v <= to; ++v) {
+    load = std::max(load, load_errors(rows, v)[1]);
+    give = std::max(give, give_errors(rows, v)[1]);
+    length = std::max(length, length_errors(rows, v)[1]);
+  }
+  return fmt::format("| {} | {} | {:.2f} | {:.2f} | {:.3f} |\n", name, rows.size(), load, give, length);
+}
+
+/// One sheet's rows of the card, and its errors by range.
+ModelCard of_test(const std::string& sheet, const Test& test) {
+  if (test.rows.empty()) return {};
+  ModelCard part;
+  part.text =
+      error_row(sheet + ", at rest", test.rows, 0, 0) +
+      error_row(fmt::format("{}, {} m/s", sheet, kSpeeds[1]), test.rows, 1, 1) +
+      error_row(fmt::format("{}, {} to {} m/s", sheet, kSpeeds[2], kSpeeds.back()), test.rows, 2, kSpeeds.size() - 1);
+  part.errors = error_lines(fmt::format("{},all,{},", sheet, test.rows.size()), test.rows);
   if (const auto some = usual(test.rows); !some.empty())
-    text += fmt::format("\nThe same on {} of them, with c >= 0.2 l_c and b <= 1.2 l_c.\n\n", some.size()) +
-            errors_table(some);
-  return text;
+    part.errors += error_lines(fmt::format("{},c >= 0.2 l_c and b <= 1.2 l_c,{},", sheet, some.size()), some);
+  return part;
+}
+
+/// The rows of both sheets, and their errors by range.
+ModelCard error_tables(const Test& whole, const Test& split) {
+  ModelCard of_whole = of_test("whole", whole), of_split = of_test("split", split);
+  if (whole.rows.empty() && split.rows.empty()) return {};
+  return {
+      .text =
+          "| sheet, speed | geometries | load [%] | deflection [%] | breaking length [l_c] |\n|---|---|---|---|---|\n" +
+          of_whole.text + of_split.text,
+      .errors = "sheet,outlines,geometries,number,speed_m_s,unit,median,95_percent,max\n" + of_whole.errors +
+                of_split.errors};
+}
+
+/// The card to its errors.
+std::string description(const failure::EdgeResponseModel& model, const std::string& file, const std::string& errors) {
+  const auto& [low, high] = model.range();
+  std::string text = fmt::format(
+      "# Model card: {}\n\nPredicts how an ice edge with the outline of a trapezoid, on water that has inertia, "
+      "responds to a growing line load on its\ntip: the deflection of B and the moments on the centre line and along "
+      "the edge at B.\n\n"
+      "| input | from | to |\n|---|---|---|\n| b / l_c | {:.4g} | {:.4g} |\n| c / l_c | {:.4g} | {:.4g} |\n"
+      "| theta [deg] | {:.4g} | {:.4g} |\n| h / l_c | {:.4g} | {:.4g} |\n",
+      file_name(file), low.depth, high.depth, low.contact_length, high.contact_length, degrees(low.angle),
+      degrees(high.angle), low.thickness, high.thickness);
+  if (errors.empty()) return text;
+  return text +
+         fmt::format(
+             "\n**Errors** at break, within which 95 % of the geometries lie that the model has not seen. The ice "
+             "is the validation case's,\npressed by its cone, with E scaled to h / l_c. [By range]({}); its lines "
+             "without a speed are of the responses from\n{} sqrt(l_c/g) on, over their largest value at that "
+             "time.\n\n{}",
+             file_name(errors_file(file)), kEarliest, errors);
 }
 
 constexpr const char* kMustNot = R"(
-The ice is the validation case's, pressed by its cone, with E scaled to the geometry's h / l_c.
+**Not for**
 
-## Must not be used for
-
-- **Inputs outside the range above.** The errors do not hold there.
-- **Another Poisson ratio** than the 0.3 of the database.
-- **Times before 0.07 sqrt(l_c/g)**, and anything within about one ice thickness of the contact.
-- **Water that is shallower than about l_c.**
+- inputs outside the range;
+- another Poisson ratio than 0.3;
+- times before 0.07 sqrt(l_c/g), and places within about one ice thickness of the contact;
+- water that is shallower than about l_c.
 )";
 
 }  // namespace
@@ -199,7 +248,7 @@ void fit_edges(const EdgeFiles& files) {
       if (record.solved) samples.push_back({record.geometry, record.responses});
     const std::string hash = sha256_of_file(path);
     hashes += (hashes.empty() ? "" : " ") + hash;
-    data += fmt::format("- data: `{}`, SHA-256 `{}`\n", fs::path(path).filename().string(), hash);
+    data += fmt::format("- `{}`: SHA-256 `{}`\n", file_name(path), hash);
   }
   auto of_test_whole = unseen(files.test, plans), of_test_split = unseen(files.test_split, plans);
   const auto model = failure::EdgeResponseModel::fit(samples, hashes);
@@ -208,24 +257,14 @@ void fit_edges(const EdgeFiles& files) {
   const auto written = failure::EdgeResponseModel::read(files.output);
   const Test whole = tested(written, std::move(of_test_whole)), split = tested(written, std::move(of_test_split));
 
-  const auto& [low, high] = model.range();
-  const std::string name = fs::path(files.output).filename().string();
-  std::string card = fmt::format(
-      "# Model card: {}\n\nResponses of a moving ice edge to a growing line load on the tip of a trapezoid: the "
-      "deflection of B and the\n"
-      "moments on the centre line and along the edge at B, with the water's inertia "
-      "(docs/theory/fracture-of-the-edge.md).\n\n"
-      "- content hash of the model (SHA-256): `{}`\n{}- {} geometries, {} modes\n\n## Range\n\n"
-      "| input | from | to |\n|---|---|---|\n| b / l_c | {:.4g} | {:.4g} |\n| c / l_c | {:.4g} | {:.4g} |\n"
-      "| theta [deg] | {:.4g} | {:.4g} |\n| h / l_c | {:.4g} | {:.4g} |\n",
-      name, content, data, samples.size(), model.n_modes(), low.depth, high.depth, low.contact_length,
-      high.contact_length, degrees(low.angle), degrees(high.angle), low.thickness, high.thickness);
-  card += of_test("whole", files.test, whole) + of_test("split", files.test_split, split) + kMustNot;
-  const std::string card_file = fs::path(files.output).replace_extension(".md").string();
-  write_file(card_file, card);
-  if (!whole.rows.empty()) print("{}", errors_table(whole.rows));
-  print("modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", model.n_modes(), files.output, content,
-        card_file);
+  const ModelCard errors = error_tables(whole, split);
+  const std::string made =
+      fmt::format("\n**Made** of {} geometries with {} modes, content SHA-256 `{}`:\n\n    {}\n\n{}", samples.size(),
+                  model.n_modes(), content, files.command, data);
+  const std::string path = write_card(
+      files.output, {.text = description(model, files.output, errors.text) + kMustNot + made, .errors = errors.errors});
+  print("{}modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", errors.text, model.n_modes(),
+        files.output, content, path);
 }
 
 }  // namespace brash::cli

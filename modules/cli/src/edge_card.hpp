@@ -11,10 +11,11 @@ struct EdgeFiles {
   std::string split;       ///< of split sheets, or empty
   std::string test;        ///< geometries that the model has not seen, or empty
   std::string test_split;  ///< split ones, or empty
-  std::string output;      ///< model; its card is written beside it
+  std::string output;      ///< model; its card and errors are written beside it
+  std::string command;     ///< that makes the model
 };
 
-/// Fits the model, judges it on the test databases, writes model and card and prints the errors.
+/// Fits the model, judges it on the test databases, writes model, card and errors and prints the errors.
 /// @throws InputError for a database that cannot be read or leaves a point of its grid out.
 void fit_edges(const EdgeFiles& files);
 

@@ -18,24 +18,37 @@ namespace {
 
 using meta_model::quantile;
 
-std::string line(const char* name, const std::vector<JudgedRow>& rows) {
-  if (rows.empty()) return "";
-  std::vector<double> stress, length;
+/// The errors of some rows, rising.
+struct Spread {
+  std::vector<double> stress;  ///< [%]
+  std::vector<double> length;  ///< over l_c
+  std::size_t geometries = 0;
+  double on_plateau = 0.0;  ///< share of the rows [%]
+};
+
+Spread spread(const std::vector<JudgedRow>& rows) {
+  Spread result;
   std::set<const plate::WedgePlate*> geometries;
-  std::size_t on_plateau = 0;
   for (const JudgedRow& row : rows) {
-    stress.push_back(100 * row.stress_error);
-    length.push_back(row.length_error);
+    result.stress.push_back(100 * row.stress_error);
+    result.length.push_back(row.length_error);
     geometries.insert(row.plate);
-    if (row.on_plateau) ++on_plateau;
+    result.on_plateau += row.on_plateau ? 1.0 : 0.0;
   }
-  std::ranges::sort(stress);
-  std::ranges::sort(length);
-  return fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.4f} | {:.3f} | {:.3f} | {:.1f} |\n", name,
-                     rows.size(), geometries.size(), quantile(stress, 0.5), quantile(stress, 0.95),
-                     quantile(stress, 0.99), quantile(stress, 1.0), quantile(length, 0.5), quantile(length, 0.95),
-                     quantile(length, 0.99),
-                     100.0 * static_cast<double>(on_plateau) / static_cast<double>(rows.size()));
+  std::ranges::sort(result.stress);
+  std::ranges::sort(result.length);
+  result.geometries = geometries.size();
+  result.on_plateau *= 100.0 / static_cast<double>(rows.size());
+  return result;
+}
+
+std::string row(const char* name, const std::vector<JudgedRow>& rows) {
+  if (rows.empty()) return "";
+  const Spread s = spread(rows);
+  return fmt::format("{},{},{},{:.2f},{:.2f},{:.2f},{:.2f},{:.4f},{:.3f},{:.3f},{:.1f}\n", name, rows.size(),
+                     s.geometries, quantile(s.stress, 0.5), quantile(s.stress, 0.95), quantile(s.stress, 0.99),
+                     quantile(s.stress, 1.0), quantile(s.length, 0.5), quantile(s.length, 0.95),
+                     quantile(s.length, 0.99), s.on_plateau);
 }
 
 using Part = bool (*)(const JudgedRow&);
@@ -59,35 +72,55 @@ constexpr std::array<std::pair<const char*, Part>, 14> kParts{{
     {"h >= 0.12 l_c", [](const JudgedRow& r) { return r.plate->thickness >= 0.12; }},
 }};
 
-std::string error_tables(const std::vector<JudgedRow>& rows, const std::string& test) {
-  std::string text = fmt::format(
-      "\n## Errors\n\nThe errors are on {}. The stress error is the size of predicted /\ncomputed - 1 [%]. The length "
-      "error is the size of predicted - computed l_break / l_c. `on plateau` is the share [%] of\nrows whose predicted "
-      "place has at least 99 % of the peak stress.\n\n"
-      "| rows of | rows | geometries | stress median | 95 % | 99 % | max | length median | 95 % | 99 % | on plateau |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n",
-      test);
-  for (const auto& [name, holds] : kParts) {
-    std::vector<JudgedRow> part;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(part), holds);
-    text += line(name, part);
-  }
+std::vector<JudgedRow> part_of(const std::vector<JudgedRow>& rows, Part holds) {
+  std::vector<JudgedRow> part;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(part), holds);
+  return part;
+}
+
+/// The errors by range.
+std::string error_table(const std::vector<JudgedRow>& rows) {
+  std::string text =
+      "rows_of,rows,geometries,stress_median_percent,stress_95_percent,stress_99_percent,stress_max_percent,"
+      "length_median_lc,length_95_lc,length_99_lc,on_plateau_percent\n";
+  for (const auto& [name, holds] : kParts) text += row(name, part_of(rows, holds));
   return text;
 }
 
-constexpr const char* kMustNot = R"(
-## Must not be used for
+/// The errors in a few words; "" without a row.
+std::string errors_in_words(const std::vector<JudgedRow>& rows, const CardFacts& facts) {
+  if (rows.empty()) return "";
+  const Spread all = spread(rows);
+  std::string text = fmt::format(
+      "\n**Errors** on {}: 95 % of {} rows have a stress within {:.2f} % and a length within {:.3f} l_c. The largest "
+      "error of the\nstress is {:.2f} %.",
+      facts.test, rows.size(), quantile(all.stress, 0.95), quantile(all.length, 0.95), quantile(all.stress, 1.0));
+  if (const auto bending = part_of(rows, kParts[1].second); !bending.empty()) {
+    const Spread some = spread(bending);
+    text += fmt::format(" The two are {:.2f} and {:.2f} % where the ice bends before it is crushed (sigma/p >= 0.25).",
+                        quantile(some.stress, 0.95), quantile(some.stress, 1.0));
+  }
+  return text + fmt::format("\n[By range]({}).\n", facts.errors_file);
+}
 
-- **Inputs outside the range above.** The program clamps them and says so. The errors do not hold there.
-- **Another Poisson ratio** than the 0.3 of the database.
-- **Anything within about one ice thickness of the contact.** Plate theory means nothing there.
-- **Radial cracks, cracks from the re-entrant roots, splitting or crushing.**
+constexpr const char* kMustNot = R"(
+**Not for**
+
+- inputs outside the range: the program moves them to its border and warns;
+- another Poisson ratio than 0.3;
+- places within about one ice thickness of the contact;
+- radial cracks, cracks from the re-entrant roots, splitting or crushing.
 )";
 
-constexpr const char* kMustNotAsNetwork =
-    R"(- **Ice with h / l_c far from the value above.** Eq. 19 scales the bending stress only, neither the membrane stress nor the
-  shear flexibility. Take the superposition, which knows h / l_c.
-- **Large in-plane loads.** The data are linear plate theory without the second-order effect of N.
+constexpr const char* kMustNotAsNetwork = R"(
+**Not for**
+
+- inputs outside the range: the program moves them to its border and warns;
+- another Poisson ratio than 0.3;
+- another h / l_c: Eq. 19 scales the bending stress only. The superposition knows h / l_c;
+- in-plane loads so large that their second-order effect counts;
+- places within about one ice thickness of the contact;
+- radial cracks, cracks from the re-entrant roots, splitting or crushing.
 )";
 
 }  // namespace
@@ -127,69 +160,64 @@ std::vector<JudgedRow> judge(const Answers& model, const std::vector<const datab
 std::string summary(const std::vector<JudgedRow>& rows) {
   std::string text;
   for (const auto& [name, holds] : {kParts[0], kParts[1]}) {
-    std::vector<double> stress;
-    std::set<const plate::WedgePlate*> geometries;
-    double on_plateau = 0.0;
-    for (const JudgedRow& row : rows) {
-      if (!holds(row)) continue;
-      stress.push_back(100 * row.stress_error);
-      geometries.insert(row.plate);
-      on_plateau += row.on_plateau ? 1.0 : 0.0;
-    }
-    if (stress.empty()) continue;
-    std::ranges::sort(stress);
+    const auto part = part_of(rows, holds);
+    if (part.empty()) continue;
+    const Spread s = spread(part);
     text += fmt::format(
         "{:<18} {:>6} rows of {} geometries  stress error median {:.2f} %, 95 % {:.2f} %, 99 % {:.2f} %, max {:.1f} %; "
         "place on the plateau {:.1f} %\n",
-        name, stress.size(), geometries.size(), quantile(stress, 0.5), quantile(stress, 0.95), quantile(stress, 0.99),
-        quantile(stress, 1.0), 100.0 * on_plateau / static_cast<double>(stress.size()));
+        name, part.size(), s.geometries, quantile(s.stress, 0.5), quantile(s.stress, 0.95), quantile(s.stress, 0.99),
+        quantile(s.stress, 1.0), s.on_plateau);
   }
   return text;
 }
 
-std::string profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
-                         const CardFacts& facts) {
-  std::string text = fmt::format("# Model card: {}\n\n", facts.model_file);
-  text +=
-      "Unit profiles on the centre line of a trapezoidal protrusion of a floating plate. They are interpolated "
-      "between\nsolved geometries and superposed for mu1, mu2 and l_c / h.\n\n";
-  text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n", facts.content_sha256,
-                      facts.database_file, facts.data_sha256);
+ModelCard profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
+                       const CardFacts& facts) {
   const auto& [low, high] = model.range();
-  text += fmt::format("- {} geometries, {} modes\n\n## Range\n\n| input | from | to |\n|---|---|---|\n",
-                      facts.n_learned, model.n_modes());
-  text += fmt::format(
+  const std::string text = fmt::format(
+      "# Model card: {}\n\n"
+      "Predicts the largest stress on the centre line of a trapezoidal protrusion of a floating plate, over the "
+      "contact "
+      "pressure\n(sigma/p), and its place (l_break/l_c). The model interpolates unit profiles between solved "
+      "geometries "
+      "and superposes them\nfor mu1, mu2 and l_c / h.\n\n"
+      "| input | from | to |\n|---|---|---|\n"
       "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {:.6g} | {:.6g} |\n| h / l_c | {} | {} |\n",
-      low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
-  return text + error_tables(rows, facts.test) + kMustNot;
+      facts.model_file, low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc,
+      high.h_lc);
+  const std::string made = fmt::format(
+      "\n**Made** of {} geometries with {} modes, content SHA-256 `{}`:\n\n    {}\n\nSHA-256 of `{}`: `{}`.\n",
+      facts.n_learned, model.n_modes(), facts.content_sha256, facts.command, facts.database_file, facts.data_sha256);
+  return {.text = text + errors_in_words(rows, facts) + kMustNot + made, .errors = error_table(rows)};
 }
 
-std::string hump_card(const meta_model::TrainedHumps& trained, const std::vector<JudgedRow>& rows,
-                      const CardFacts& facts) {
+ModelCard hump_card(const meta_model::TrainedHumps& trained, const std::vector<JudgedRow>& rows,
+                    const CardFacts& facts) {
   const meta_model::HumpParameters& p = trained.network.parameters();
-  std::string text = fmt::format(
-      "# Model card: {}\n\n"
-      "A network with the inputs and outputs of Eq. 17. It answers for a trapezoidal protrusion of a floating plate. "
-      "The outputs\nare the largest principal stress on the centre line over the contact pressure, sigma/p, and its "
-      "place, l_break/l_c. The\nhump beside the load and the hump beyond {} l_c have an answer each, and the larger "
-      "stress counts.\n\n"
-      "- content hash of the model (SHA-256): `{}`\n- trained on {} rows answered by `{}`, SHA-256 `{}`\n"
-      "- h / l_c of these rows: {}\n- hidden layers of each of the four networks: {} logistic units, {} weights\n",
-      facts.model_file, meta_model::kHumpBoundary, facts.content_sha256, facts.n_learned, facts.database_file,
-      facts.data_sha256, p.thickness_over_lc, fmt::join(p.hidden, ", "), p.stress[0].weights.size());
-  for (const meta_model::LayeredFit& fit : trained.fits) {
-    text +=
-        fmt::format("- {}: {} iterations of Levenberg-Marquardt ({}), loss {:.3g} in training, {:.3g} in validation\n",
-                    fit.name, fit.iterations, fit.ended, fit.training_loss, fit.validation_loss);
-  }
   const meta_model::Input &low = p.range.lower, &high = p.range.upper;
-  text += fmt::format(
-      "\n## Range\n\n| input | from | to |\n|---|---|---|\n"
+  const std::string text = fmt::format(
+      "# Model card: {}\n\n"
+      "Predicts the largest stress on the centre line of a trapezoidal protrusion of a floating plate, over the "
+      "contact "
+      "pressure\n(sigma/p), and its place (l_break/l_c): the inputs and outputs of Eq. 17. The humps beside the load "
+      "and "
+      "beyond {} l_c have\nnetworks of their own, and the larger stress counts.\n\n"
+      "| input | from | to |\n|---|---|---|\n"
       "| b / l_c | {:.4g} | {:.4g} |\n| c / l_c | {:.4g} | {:.4g} |\n| theta [deg] | {:.4g} | {:.4g} |\n"
-      "| mu1 = P/N | {:.4g} | {:.4g} |\n| mu2 = f/N | {:.4g} | {:.4g} |\n",
-      low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.mu1, high.mu1, low.mu2,
-      high.mu2);
-  return text + error_tables(rows, facts.test) + kMustNot + kMustNotAsNetwork;
+      "| mu1 = P/N | {:.4g} | {:.4g} |\n| mu2 = f/N | {:.4g} | {:.4g} |\n| h / l_c | {} | {} |\n",
+      facts.model_file, meta_model::kHumpBoundary, low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta),
+      degrees(high.theta), low.mu1, high.mu1, low.mu2, high.mu2, p.thickness_over_lc, p.thickness_over_lc);
+  std::string made = fmt::format(
+      "\n**Made** of {} rows answered by `{}` (SHA-256 `{}`), content SHA-256 `{}`:\n\n    {}\n\n"
+      "Four networks with {} logistic units in their hidden layers and {} weights each:\n\n"
+      "| network | iterations | loss in training | in validation |\n|---|---|---|---|\n",
+      facts.n_learned, facts.database_file, facts.data_sha256, facts.content_sha256, facts.command,
+      fmt::join(p.hidden, ", "), p.stress[0].weights.size());
+  for (const meta_model::LayeredFit& fit : trained.fits)
+    made += fmt::format("| {} | {} | {:.3g} | {:.3g} |\n", fit.name, fit.iterations, fit.training_loss,
+                        fit.validation_loss);
+  return {.text = text + errors_in_words(rows, facts) + kMustNotAsNetwork + made, .errors = error_table(rows)};
 }
 
 }  // namespace brash::cli

@@ -9,6 +9,7 @@
 #include "brash/meta_model/hump_training.hpp"
 #include "brash/meta_model/profile_model.hpp"
 #include "brash/plate/plate.hpp"
+#include "card_files.hpp"
 
 namespace brash::cli {
 
@@ -41,16 +42,18 @@ struct CardFacts {
   std::string content_sha256;
   std::string database_file;
   std::string data_sha256;
-  std::string test;           ///< which rows judge it
+  std::string test;           ///< which rows the errors are of
+  std::string errors_file;    ///< name of the errors by range
+  std::string command;        ///< that makes the model
   std::size_t n_learned = 0;  ///< geometries of a superposition, rows of a network
 };
 
-/// The model card (Markdown): errors on `rows`, overall and by region.
-std::string profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
-                         const CardFacts& facts);
+/// The model card, and the errors on `rows` by range.
+ModelCard profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
+                       const CardFacts& facts);
 
 /// The same for a HumpNetwork.
-std::string hump_card(const meta_model::TrainedHumps& trained, const std::vector<JudgedRow>& rows,
-                      const CardFacts& facts);
+ModelCard hump_card(const meta_model::TrainedHumps& trained, const std::vector<JudgedRow>& rows,
+                    const CardFacts& facts);
 
 }  // namespace brash::cli

@@ -15,13 +15,13 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
 #include "brash/database/edge_database.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/failure/hump_sample.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/meta_model/training.hpp"
+#include "card_files.hpp"
 #include "edge_card.hpp"
 #include "failure_rows.hpp"
 #include "messages.hpp"
@@ -73,37 +73,34 @@ void print_errors(const char* name, const meta_model::Errors& e) {
         100 * e.length_on_plateau);
 }
 
-/// The file of a model's card, beside the model's file.
-std::string card_of(const std::string& model) { return fs::path(model).replace_extension(".md").string(); }
-
-/// Writes the card of the model file `output`; its path.
-std::string write_card(const std::string& output, const std::string& text) {
-  write_file(card_of(output), text);
-  return card_of(output);
-}
-
 /// Refuses a model that has no folder, that has the name of its card, or by which an input or a result would be lost.
 void check_output(const std::string& output, std::initializer_list<std::string> inputs) {
   io::refuse_missing_folder(output);
-  for (const std::string& file : {output, card_of(output)}) {
+  for (const std::string& file : {output, card_file(output), errors_file(output)}) {
     refuse_overwriting(file, inputs);
     io::refuse_replacing_results(file);
   }
-  if (card_of(output) == output)
+  if (card_file(output) == output)
     throw InputError(Complaint{output, "is the name of the model's card, which is written beside it",
                                "a name that does not end in .md", "give the model another name, such as model.json"});
 }
 
-void train_network(const std::string& database_file, const std::string& output, meta_model::TrainingOptions options) {
+void train_network(const std::string& database_file, const std::string& output, meta_model::TrainingOptions options,
+                   const std::string& command) {
   const database::Database data = database::read_database(database_file);
   const auto samples = to_samples(database_file, data, options.thickness_over_lc);
   options.data_sha256 = sha256_of_file(database_file);
   const meta_model::Trained trained = of_file(database_file, [&] { return meta_model::train(samples, options); });
   const std::string hash = trained.network.write(output);
 
-  const std::string card = write_card(output, meta_model::model_card(trained.network, trained.report, options,
-                                                                     {fs::path(output).filename().string(), hash,
-                                                                      fs::path(database_file).filename().string()}));
+  const std::string card =
+      write_card(output, {.text = meta_model::model_card(trained.network, trained.report, options,
+                                                         {.model_file = file_name(output),
+                                                          .content_sha256 = hash,
+                                                          .database_file = file_name(database_file),
+                                                          .errors_file = file_name(errors_file(output)),
+                                                          .command = command}),
+                          .errors = meta_model::error_table(trained.report)});
 
   print("{:<11} {:>6} {:>6} {:>10} {:>10} {:>10} {:>12} {:>12} {:>11}\n", "part", "geom.", "rows", "stress rms",
         "median [%]", "95 % [%]", "length med.", "95 % [l_c]", "plateau [%]");
@@ -156,7 +153,7 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
     for (const database::Record* record : records) learned.push_back(record->plate);
     refuse_learned(test_file, test, learned);
     return {judge(answers_of(model), solved_records(test)),
-            fmt::format("geometries that it has not seen (`{}`)", fs::path(test_file).filename().string())};
+            fmt::format("geometries that it has not seen (`{}`)", file_name(test_file))};
   }
   constexpr int kTestEvery = 11;  // odd: an even share of a Sobol sequence lies in one half of the box
   std::vector<const database::Record*> kept, left_out;
@@ -169,7 +166,8 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
           "every eleventh geometry, left out of a fit for this purpose; the model holds them all"};
 }
 
-void fit_profiles(const std::string& database_file, const std::string& test_file, const std::string& output) {
+void fit_profiles(const std::string& database_file, const std::string& test_file, const std::string& output,
+                  const std::string& command) {
   const database::Database data = database::read_database(database_file);
   const database::Database test = test_file.empty() ? database::Database{} : database::read_database(test_file);
   const auto records = solved_records(data);
@@ -178,14 +176,15 @@ void fit_profiles(const std::string& database_file, const std::string& test_file
       of_file(database_file, [&] { return meta_model::ProfileModel::fit(to_profile_samples(records), hash); });
   const auto [rows, name] = judge_profiles(model, records, database_file, test, test_file);
   const std::string content = model.write(output);
-  const std::string card =
-      write_card(output, profile_card(model, rows,
-                                      {.model_file = fs::path(output).filename().string(),
-                                       .content_sha256 = content,
-                                       .database_file = fs::path(database_file).filename().string(),
-                                       .data_sha256 = hash,
-                                       .test = name,
-                                       .n_learned = records.size()}));
+  const std::string card = write_card(output, profile_card(model, rows,
+                                                           {.model_file = file_name(output),
+                                                            .content_sha256 = content,
+                                                            .database_file = file_name(database_file),
+                                                            .data_sha256 = hash,
+                                                            .test = name,
+                                                            .errors_file = file_name(errors_file(output)),
+                                                            .command = command,
+                                                            .n_learned = records.size()}));
   print("{}modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", summary(rows), model.n_modes(), output,
         content, card);
 }
@@ -218,7 +217,7 @@ void check_taught(const database::Plan& plan, const std::string& plan_file) {
 }
 
 void train_deep_network(const std::string& plan_file, const std::string& test_file, const std::string& output,
-                        meta_model::HumpTrainingOptions options) {
+                        meta_model::HumpTrainingOptions options, const std::string& command) {
   if (test_file.empty()) throw InputError("--deep needs --test: plate solutions that judge the network");
   const database::Plan plan = database::read_plan(plan_file);
   check_taught(plan, plan_file);
@@ -238,15 +237,16 @@ void train_deep_network(const std::string& plan_file, const std::string& test_fi
   const meta_model::TrainedHumps trained = meta_model::train_humps(samples, options);
   const std::string content = trained.network.write(output);
   const auto rows = judge(answers_of(trained.network), solved_records(test));
-  const std::string card =
-      write_card(output, hump_card(trained, rows,
-                                   {.model_file = fs::path(output).filename().string(),
-                                    .content_sha256 = content,
-                                    .database_file = fs::path(teacher).filename().string(),
-                                    .data_sha256 = options.data_sha256,
-                                    .test = fmt::format("plate solutions that it has not seen (`{}`)",
-                                                        fs::path(test_file).filename().string()),
-                                    .n_learned = samples.size()}));
+  const std::string card = write_card(
+      output, hump_card(trained, rows,
+                        {.model_file = file_name(output),
+                         .content_sha256 = content,
+                         .database_file = file_name(teacher),
+                         .data_sha256 = options.data_sha256,
+                         .test = fmt::format("plate solutions that it has not seen (`{}`)", file_name(test_file)),
+                         .errors_file = file_name(errors_file(output)),
+                         .command = command,
+                         .n_learned = samples.size()}));
   for (const meta_model::LayeredFit& fit : trained.fits) {
     print("{:<38} {:>4} iterations ({}), loss {:.4g} training, {:.4g} validation\n", fit.name, fit.iterations,
           fit.ended, fit.training_loss, fit.validation_loss);
@@ -302,7 +302,7 @@ void add_train_command(CLI::App& failure) {
   meta_model::TrainingOptions& training = options->training;
   CLI::App* command = failure.add_subcommand("train", "Train a failure model");
   command->add_option("database", options->database, "database (netCDF); with --deep a plan (TOML)")->required();
-  command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
+  command->add_option("-o,--output", options->output, "model to write (JSON); card and errors are written beside it")
       ->required();
   auto* const superposition = command->add_flag("--superposition", options->superposition,
                                                 "interpolate the unit profiles instead of training the network");
@@ -340,13 +340,18 @@ void add_train_command(CLI::App& failure) {
       if (command->count("--hidden") > 0) deep.hidden.assign(2, options->training.hidden);
       if (command->count("--iterations") > 0) deep.max_iterations = options->training.max_iterations;
       deep.seed = options->training.seed;
-      train_deep_network(options->database, options->test, options->output, deep);
+      train_deep_network(options->database, options->test, options->output, deep, command_line(*command));
     } else if (kind == kMovingEdge) {
-      fit_edges({options->database, options->split, options->test, options->test_split, options->output});
+      fit_edges({.database = options->database,
+                 .split = options->split,
+                 .test = options->test,
+                 .test_split = options->test_split,
+                 .output = options->output,
+                 .command = command_line(*command)});
     } else if (kind == kSuperposition) {
-      fit_profiles(options->database, options->test, options->output);
+      fit_profiles(options->database, options->test, options->output, command_line(*command));
     } else {
-      train_network(options->database, options->output, options->training);
+      train_network(options->database, options->output, options->training, command_line(*command));
     }
   });
 }

@@ -134,11 +134,15 @@ BOOST_AUTO_TEST_CASE(the_model_card_states_hashes_range_errors_and_limits) {
   TrainingOptions options = quick();
   options.data_sha256 = "abc123";
   const Trained trained = train(samples(40), options);
-  const std::string card = model_card(trained.network, trained.report, options, {"m.json", "def456", "d.nc"});
-  for (const char* part : {"abc123", "def456", "m.json", "d.nc", "| theta [deg] |", "| test |", "test, b < 0.25 l_c",
-                           "Must not be used for"}) {
+  const std::string card = model_card(trained.network, trained.report, options,
+                                      {"m.json", "def456", "d.nc", "m_errors.csv", "brash failure train d.nc"});
+  for (const char* part : {"abc123", "def456", "m.json", "d.nc", "| theta [deg] |", "**Errors** on ", "m_errors.csv",
+                           "    brash failure train d.nc\n", "**Not for**"}) {
     BOOST_TEST(card.find(part) != std::string::npos, part);
   }
+  const std::string errors = error_table(trained.report);
+  for (const char* part : {"\ntraining,all,", "\nvalidation,all,", "\ntest,all,", "\ntest,b < 0.25 l_c,"})
+    BOOST_TEST(errors.find(part) != std::string::npos, part);
 }
 
 }  // namespace

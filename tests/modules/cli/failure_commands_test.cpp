@@ -160,8 +160,10 @@ BOOST_AUTO_TEST_CASE(a_deep_network_is_trained_on_a_plan_and_judged_on_plates) {
   whole.insert(whole.end(), {"--test", unseen_database()});
   BOOST_TEST(output_of(folder, whole).find("far hump, ln(sigma_over_p)") != std::string::npos);
   const std::string card = folder.read("deep.md");
-  BOOST_TEST(card.find("trained on 120 rows answered by `cone_superposition.json`") != std::string::npos);
-  BOOST_TEST(card.find("| all | 6 | 3 |") != std::string::npos);
+  BOOST_TEST(card.find("of 120 rows answered by `cone_superposition.json`") != std::string::npos);
+  BOOST_TEST(card.find("    brash failure train deep.toml --output deep.json --deep --test unseen.nc --hidden 4 "
+                       "--iterations 3\n") != std::string::npos);
+  BOOST_TEST(folder.read("deep_errors.csv").find("\nall,6,3,") != std::string::npos);
   const std::string rows = folder.write("rows.csv", kRow);
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
@@ -213,7 +215,12 @@ BOOST_AUTO_TEST_CASE(a_moving_edge_goes_from_a_plan_to_a_model_that_breaks_it) {
   output_of(folder, {"train", data, "-o", model, "--test", test});
   const std::string card = folder.read("edge.md");
   BOOST_TEST(card.find("# Model card: edge.json") == 0u);
-  BOOST_TEST(card.find("| deflection of B | 2 |") != std::string::npos);
+  BOOST_TEST(card.find("| whole, at rest | 2 |") != std::string::npos);
+  BOOST_TEST(card.find("    brash failure train edge.nc --output edge.json --test test.nc\n") != std::string::npos);
+  const auto errors = rows_of(folder.read("edge_errors.csv"));
+  // Two responses and three numbers at each of six speeds, of all outlines and of the usual contacts.
+  BOOST_TEST(errors.size() == 2u * (2u + 3u * 6u));
+  for (const auto& row : errors) BOOST_TEST(row.size() == 9u);
   const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.3,0.3,40,0.511,0\n");
   const auto of = [&](const std::string& of_model) {
     return rows_of(output_of(folder, {"predict", "--case", BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
@@ -313,7 +320,12 @@ BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {
   const std::string card = folder.read("small.md");
   BOOST_TEST(card.find("# Model card: small.json") == 0u);
   BOOST_TEST(card.find("33 geometries") != std::string::npos);
-  BOOST_TEST(card.find("| all | 6 | 3 |") != std::string::npos);  // geometries 10, 21 and 32, two rows each
+  BOOST_TEST(card.find("[By range](small_errors.csv)") != std::string::npos);
+  const auto errors = rows_of(folder.read("small_errors.csv"));
+  BOOST_TEST(errors.at(0).at(0) == "all");
+  BOOST_TEST(errors[0].at(1) == "6");  // geometries 10, 21 and 32, two rows each
+  BOOST_TEST(errors[0].at(2) == "3");
+  for (const auto& row : errors) BOOST_TEST(row.size() == 11u);
   const std::string rows = folder.write("rows.csv", kRow);
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
@@ -331,7 +343,7 @@ BOOST_AUTO_TEST_CASE(a_superposition_can_be_judged_on_another_database) {
   output_of(folder, {"train", small_database(), "-o", model, "--superposition", "--test", unseen_database()});
   const std::string card = folder.read("small.md");
   BOOST_TEST(card.find("(`unseen.nc`)") != std::string::npos);
-  BOOST_TEST(card.find("| all | 6 | 3 |") != std::string::npos);
+  BOOST_TEST(card.find("of 6 rows") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(plates_that_a_model_learns_do_not_judge_it) {
@@ -378,6 +390,7 @@ BOOST_AUTO_TEST_CASE(a_network_is_trained_written_with_its_model_card_and_the_sa
   BOOST_TEST(printed.find("validation") != std::string::npos);
   BOOST_TEST(printed.find("test") != std::string::npos);
   BOOST_TEST(folder.read("small.md").find("# Model card: small.json") == 0u);
+  for (const auto& row : rows_of(folder.read("small_errors.csv"))) BOOST_TEST(row.size() == 13u);
   train("again.json");
   BOOST_TEST(folder.read("again.json") == folder.read("small.json"));
   const std::string rows = folder.write("rows.csv", kRow);
@@ -391,12 +404,15 @@ BOOST_AUTO_TEST_CASE(an_output_that_would_replace_an_input_or_its_own_card_is_re
     refuses(arguments, {part, "would be written over"});
   };
   const std::string data = (folder.path / "data.nc").string();
-  const std::string test = (folder.path / "test.md").string();
+  const std::string test = (folder.path / "test.md").string(), errors = (folder.path / "test_errors.csv").string();
+  fs::copy_file(small_database(), errors);
   fs::copy_file(small_database(), data);
   fs::copy_file(small_database(), test);
   const std::string before = folder.read("data.nc");
   refused({"train", data, "-o", data, "--superposition"}, "data.nc");
   refused({"train", data, "-o", (folder.path / "test.json").string(), "--superposition", "--test", test}, "test.md");
+  refused({"train", data, "-o", (folder.path / "test.json").string(), "--superposition", "--test", errors},
+          "test_errors.csv");
   refused({"train", small_database(), "-o", data, "--split", data}, "data.nc");
   refused({"train", small_database(), "-o", data, "--split", test, "--test-split", data}, "data.nc");
   refuses({"train", data, "-o", (folder.path / "model.md").string(), "--superposition"}, {"the model's card"});

@@ -103,9 +103,14 @@ struct CardContext {
   std::string model_file;      ///< name of the model file
   std::string content_sha256;  ///< of the model file, as Network::write returns it
   std::string database_file;   ///< name of the database file
+  std::string errors_file;     ///< name of the file of error_table
+  std::string command;         ///< that trains the network
 };
 
-/// The model card (Markdown): data hash, range, errors overall and per region, and uses for which the model is unfit.
+/// The errors of the three parts, and of the test rows by region (CSV).
+std::string error_table(const TrainingReport& report);
+
+/// The model card (Markdown): range, errors in a few words, uses for which the model is unfit, and its making.
 std::string model_card(const Network& network, const TrainingReport& report, const TrainingOptions& options,
                        const CardContext& context);
 
