@@ -22,8 +22,8 @@ A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and belo
   unit or a value out of range. The message names file, line, column, key, value, the allowed values and the remedy.
 - **Overrides.** `--set section.key=value` on the command line wins over the file. The value is TOML, or else a plain
   string, so `--set 'ice.thickness=40 cm'` needs no inner quotes.
-- **Templates.** `brash schema --template` prints a case with every key. `brash check CASE.toml` prints a case in SI with all
-  defaults. `--ice` chooses [the ice of a site](#site-ice).
+- **Templates.** `brash schema --template` prints a case with every key. `brash check CASE.toml --keys` prints a case in SI
+  with all defaults. `--ice` chooses [the ice of a site](#site-ice).
 - **Editors.** `brash schema > case.schema.json` writes a JSON Schema. The first line of a template names it,
   `#:schema case.schema.json`. Editors that know this line, such as Taplo and Even Better TOML, check the keys and show their
   meaning.
