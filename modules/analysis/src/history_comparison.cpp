@@ -288,9 +288,17 @@ ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::
   return out;
 }
 
+std::array<std::string, 2> side_names(const ordered_json& comparison) {
+  const auto kind = [&](const char* side) { return comparison[side].contains("origin") ? "run" : "measured"; };
+  const std::string first = kind("run"), second = kind("measured");
+  if (first != second) return {first, second};
+  return {first + " 1", second + " 2"};
+}
+
 std::string comparison_text(const ordered_json& c) {
-  std::string text = origin_text(c["run"], "run: ") + origin_text(c["measured"], "measured: ") +
-                     "                           run     measured\n";
+  const auto [first, second] = side_names(c);
+  std::string text = origin_text(c["run"], first + ": ") + origin_text(c["measured"], second + ": ") +
+                     fmt::format("                    {:>12} {:>12}\n", first, second);
   const auto row = [&](const char* name, const char* key) {
     text += fmt::format("  {:<17} {:>12.6g} {:>12.6g}\n", name, c["run"][key].get<double>(),
                         c["measured"][key].get<double>());
@@ -303,9 +311,9 @@ std::string comparison_text(const ordered_json& c) {
   row("peaks a second", "peaks_per_second");
   row("duration [s]", "duration");
   row("independent", "effective_sample_size");
-  if (c["run"]["histories"].get<int>() == 1) text += short_note("the run", c["run"]);
-  if (c["measured"]["histories"].get<int>() == 1) text += short_note("the measurement", c["measured"]);
-  text += "run over measured, 95 % interval, p-value of the test of equality (after Holm)\n";
+  if (c["run"]["histories"].get<int>() == 1) text += short_note(first.c_str(), c["run"]);
+  if (c["measured"]["histories"].get<int>() == 1) text += short_note(second.c_str(), c["measured"]);
+  text += fmt::format("{} over {}, 95 % interval, p-value of the test of equality (after Holm)\n", first, second);
   text += ratio_row("mean", c, "mean") + ratio_row("deviation", c, "deviation") +
           ratio_row("mean peak", c, "mean_peak") + ratio_row("peaks a second", c, "peak_rate");
   const ordered_json& d = c["distribution"];

@@ -104,8 +104,8 @@ class Origin(unittest.TestCase):
 
     def test_compare_names_both_sides(self):
         text = self.brash("compare", "paper", "old", "-o", "both.svg")
-        self.assertIn(f"run: preset: paper (1 key changed); program: {THIS}\n", text)
-        self.assertIn("measured: preset: brash; program: brash 0.0.7\n", text)
+        self.assertIn(f"run 1: preset: paper (1 key changed); program: {THIS}\n", text)
+        self.assertIn("run 2: preset: brash; program: brash 0.0.7\n", text)
 
     def test_pieces_of_a_run_name_them(self):
         self.assertEqual(self.json("pieces", "own", "--born")["origin"], {"presets": ["brash"], "programs": [THIS]})
