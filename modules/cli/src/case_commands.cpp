@@ -93,8 +93,10 @@ void add_hull(const model::Case& resolved, Rows& rows) {
   rows.add("hull", "{:.4g} m long, {:.4g} m wide, {:.4g} m high", most.x - least.x, most.y - least.y, most.z - least.z);
   if (!resolved.structure.legs.empty()) rows.add("legs", "{}", resolved.structure.legs.size());
   rows.add("displacement", "{:.5g} m3, {:.5g} kg", wet.volume, resolved.water.density * wet.volume);
-  rows.add("centre of buoyancy", "{:.4g} m ahead, {:.4g} m to port, {:.4g} m under water", wet.centre.x, wet.centre.y,
-           -wet.centre.z);
+  constexpr double kRounding = 1e-9;  // of sums that would be zero [m]
+  const auto shown = [](double length) { return std::abs(length) < kRounding ? 0.0 : length; };
+  rows.add("centre of buoyancy", "{:.4g} m ahead, {:.4g} m to port, {:.4g} m under water", shown(wet.centre.x),
+           shown(wet.centre.y), -wet.centre.z);
   rows.add("waterplane", "{:.5g} m2", wet.waterplane.area);
   for (const structure::NaturalMode& mode : structure::make_motion(resolved, *hull)->natural_modes()) {
     if (mode.squared_frequency > 0.0)

@@ -85,18 +85,24 @@ std::string difference(const simulation::RunSummary& s, double measured, const T
          "  note: the mean of one run is weak evidence, because each seed gives another mean\n";
 }
 
-/// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
+/// Other people's numbers for the same structure and ice. A ship's regression gives a mean, as a run does, the other
+/// closed forms give peaks and are of fixed structures.
 std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
+  const auto lindqvist = analysis::lindqvist_of(resolved);
+  const bool is_ship = lindqvist && *lindqvist;
   const auto croasdale = analysis::croasdale_of(resolved);
   const auto ralston = analysis::ralston_of(resolved, standards::Yield::kTresca);
-  const std::array largest{croasdale ? croasdale->horizontal : 0.0, ralston ? ralston->horizontal : 0.0,
+  const std::array largest{is_ship ? (*lindqvist)->total : 0.0, croasdale && !is_ship ? croasdale->horizontal : 0.0,
+                           ralston && !is_ship ? ralston->horizontal : 0.0,
                            resolved.reference.mean_horizontal.value_or(0.0)};
   const TableUnit unit = analysis::unit_for(largest, "N");
   std::string text = fmt::format("for comparison, horizontal{} [{}]\n",
                                  resolved.structure.legs.size() < 2 ? "" : ", on one leg alone", unit.name);
-  if (croasdale)
+  if (is_ship)
+    text += fmt::format("  Lindqvist (regression of a ship), mean     {:>7.1f}\n", (*lindqvist)->total / unit.one);
+  if (croasdale && !is_ship)
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", croasdale->horizontal / unit.one);
-  if (ralston)
+  if (ralston && !is_ship)
     text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", ralston->horizontal / unit.one);
   if (const auto measured = resolved.reference.mean_horizontal)
     text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / unit.one) +

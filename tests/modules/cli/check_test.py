@@ -39,6 +39,11 @@ class Check(unittest.TestCase):
         self.assertRegex(self.check("--set", "output.statistics_from=9"), r"(?m)^statistics +from 9 s to 20 s; they begin when output")
         self.assertRegex(self.check("--set", "time.duration=5"), r"(?m)^statistics +none: the run is over before")
 
+    def test_what_is_zero_but_for_rounding_is_zero(self):
+        said = subprocess.run([BRASH, "check", str(SOURCE / "experiments/ships/icebreaker.toml")], capture_output=True,
+                              text=True, check=True).stdout
+        self.assertIn(" ahead, 0 m to port, ", said)
+
 
 class Loads(unittest.TestCase):
     def loads(self, *options):

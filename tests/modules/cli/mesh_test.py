@@ -189,6 +189,8 @@ class Ships(unittest.TestCase):
                 loads = columns(pathlib.Path(folder))
                 self.assertGreater(max(loads["Fx"]), 1e3)
                 self.check_regions(loads)
+                self.assertRegex(done.stdout, r"Lindqvist \(regression of a ship\), mean +\d")
+                self.assertNotIn("Croasdale", done.stdout)
 
     def check_regions(self, loads):
         """The regions' loads add up to the whole, and a ship that has just touched the ice bears it at her bow."""
