@@ -93,7 +93,8 @@ class Folders(unittest.TestCase):
         for sides, names in (((run, run), ("run 1", "run 2")), ((run, measured), ("run", "measured")),
                              ((measured, run), ("measured", "run")), ((measured, measured), ("measured 1", "measured 2"))):
             said = self.compare(*sides, "--measured-column", "Fx").stdout
-            self.assertIn(f"\n{names[0]:>32} {names[1]:>12}\n", "\n" + said)
+            unit = "loads [N]" if sides[0] == run else ""  # the file of the measurement names none
+            self.assertIn(f"\n  {unit:<17} {names[0]:>12} {names[1]:>12}\n", "\n" + said)
             self.assertIn(f"\n{names[0]} over {names[1]}, 95 % interval", said)
             picture = (self.folder / "picture.svg").read_text(encoding="utf-8")
             for text in (f"{names[0]}: Fx", f"{names[1]}: Fx", f"{names[0]} / {names[1]}, 95 %"):
