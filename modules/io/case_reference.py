@@ -22,7 +22,7 @@ A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and belo
   The message names file, line, column, key, value, the allowed values and the remedy.
 - **Overrides.** `--set section.key=value` wins over the file. A value that is not TOML is a string, so
   `--set 'ice.thickness=40 cm'` needs no inner quotes.
-- **Templates.** `brash schema --template` prints a case with every key, `brash check CASE.toml` a case in SI with its
+- **Templates.** `brash schema --template` prints a case with every key, `brash check CASE.toml --keys` a case in SI with its
   defaults, `brash schema` the JSON Schema. An editor such as Taplo checks a case whose first line is
   `#:schema case.schema.json`.
 

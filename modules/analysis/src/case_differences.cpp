@@ -100,7 +100,8 @@ std::string case_differences_text(const ordered_json& comparison) {
     text += fmt::format("both sides have the same run, {}: they cannot differ\n\n",
                         printable(comparison["same_run"].get<std::string>()));
   if (!comparison.contains("inputs_that_differ") || comparison["inputs_that_differ"].empty()) return text;
-  text += fmt::format("{:<36} {:>20} {:>20}\n", "inputs that differ", "run", "measured");
+  const auto [first, second] = side_names(comparison);
+  text += fmt::format("{:<36} {:>20} {:>20}\n", "inputs that differ", first, second);
   for (const ordered_json& row : comparison["inputs_that_differ"])
     text += fmt::format("{:<36} {:>20} {:>20}\n", row["key"].get<std::string>(),
                         printable(row["run"].get<std::string>()), printable(row["measured"].get<std::string>()));

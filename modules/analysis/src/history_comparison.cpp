@@ -14,6 +14,7 @@
 #include "brash/core/text.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "brash/statistics/events.hpp"
+#include "brash/statistics/extreme_analysis.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
@@ -152,7 +153,9 @@ ordered_json side_json(const Side& side) {
                    {"mean", side.mean.mean},
                    {"mean_95", mean_95},
                    {"standard_deviation", s.standard_deviation},
+                   {"quantile_1", s.quantile_1},
                    {"quantile_99", s.quantile_99},
+                   {"minimum", s.minimum},
                    {"maximum", s.maximum},
                    {"autocorrelation_time", s.autocorrelation_time},
                    {"effective_sample_size", s.effective_sample_size},
@@ -231,6 +234,12 @@ ordered_json differences(ordered_json& out) {
   return differs;
 }
 
+/// Whether the larger loads of a side are its lowest.
+bool acts_downwards(const ordered_json& side) {
+  return statistics::acts_downwards(side["mean"].get<double>(), side["minimum"].get<double>(),
+                                    side["maximum"].get<double>());
+}
+
 std::string ratio_row(const char* name, const ordered_json& out, const char* key) {
   if (!out.contains(key) || !out[key].contains("ratio")) return fmt::format("  {:<20} cannot be compared\n", name);
   const ordered_json& c = out[key];
@@ -288,9 +297,20 @@ ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::
   return out;
 }
 
+std::array<std::string, 2> side_names(const ordered_json& comparison) {
+  const auto kind = [&](const char* side) { return comparison[side].contains("origin") ? "run" : "measured"; };
+  const std::string first = kind("run"), second = kind("measured");
+  if (first != second) return {first, second};
+  return {first + " 1", second + " 2"};
+}
+
 std::string comparison_text(const ordered_json& c) {
-  std::string text = origin_text(c["run"], "run: ") + origin_text(c["measured"], "measured: ") +
-                     "                           run     measured\n";
+  const auto [first, second] = side_names(c);
+  const ordered_json& unit = c["run"]["unit"];
+  std::string text =
+      origin_text(c["run"], first + ": ") + origin_text(c["measured"], second + ": ") +
+      fmt::format("  {:<17} {:>12} {:>12}\n",
+                  unit.is_null() ? "" : fmt::format("loads [{}]", printable(unit.get<std::string>())), first, second);
   const auto row = [&](const char* name, const char* key) {
     text += fmt::format("  {:<17} {:>12.6g} {:>12.6g}\n", name, c["run"][key].get<double>(),
                         c["measured"][key].get<double>());
@@ -298,14 +318,15 @@ std::string comparison_text(const ordered_json& c) {
   if (c["run"]["histories"].get<int>() > 1 || c["measured"]["histories"].get<int>() > 1) row("histories", "histories");
   row("mean", "mean");
   row("deviation", "standard_deviation");
+  if (acts_downwards(c["run"]) || acts_downwards(c["measured"])) row("1 %", "quantile_1"), row("minimum", "minimum");
   row("99 %", "quantile_99");
   row("maximum", "maximum");
   row("peaks a second", "peaks_per_second");
   row("duration [s]", "duration");
   row("independent", "effective_sample_size");
-  if (c["run"]["histories"].get<int>() == 1) text += short_note("the run", c["run"]);
-  if (c["measured"]["histories"].get<int>() == 1) text += short_note("the measurement", c["measured"]);
-  text += "run over measured, 95 % interval, p-value of the test of equality (after Holm)\n";
+  if (c["run"]["histories"].get<int>() == 1) text += short_note(first.c_str(), c["run"]);
+  if (c["measured"]["histories"].get<int>() == 1) text += short_note(second.c_str(), c["measured"]);
+  text += fmt::format("{} over {}, 95 % interval, p-value of the test of equality (after Holm)\n", first, second);
   text += ratio_row("mean", c, "mean") + ratio_row("deviation", c, "deviation") +
           ratio_row("mean peak", c, "mean_peak") + ratio_row("peaks a second", c, "peak_rate");
   const ordered_json& d = c["distribution"];

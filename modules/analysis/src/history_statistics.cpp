@@ -126,6 +126,8 @@ ordered_json interval_of_mean(const statistics::Summary& summary) {
   return interval(summary.mean_95);
 }
 
+bool acts_downwards(const statistics::Summary& s) { return statistics::acts_downwards(s.mean, s.minimum, s.maximum); }
+
 std::string short_note(const char* name, const ordered_json& side) {
   if (const double samples = side["effective_sample_size"].get<double>(); samples < simulation::kFewSamples)
     return fmt::format(
@@ -162,6 +164,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"maximum", s.maximum},
                    {"skewness", s.skewness},
                    {"excess_kurtosis", kurtosis},
+                   {"quantile_1", s.quantile_1},
                    {"quantile_50", s.quantile_50},
                    {"quantile_95", s.quantile_95},
                    {"quantile_99", s.quantile_99},
@@ -196,8 +199,8 @@ std::string statistics_text(const ordered_json& s) {
   text += fmt::format("  mean                 {:.6g}   {}\n", value("mean"), interval_text(s["mean_95"]));
   text += fmt::format("  standard deviation   {:.6g}\n", value("standard_deviation"));
   text += fmt::format("  minimum, maximum     {:.6g}   {:.6g}\n", value("minimum"), value("maximum"));
-  text += fmt::format("  50, 95, 99 %         {:.6g}   {:.6g}   {:.6g}\n", value("quantile_50"), value("quantile_95"),
-                      value("quantile_99"));
+  text += fmt::format("  1, 50, 95, 99 %      {:.6g}   {:.6g}   {:.6g}   {:.6g}\n", value("quantile_1"),
+                      value("quantile_50"), value("quantile_95"), value("quantile_99"));
   text += fmt::format("  skewness, kurtosis   {:.4g}   {:.4g} (excess)\n", value("skewness"), value("excess_kurtosis"));
   text += fmt::format("  autocorrelation time {:.4g} s, {:.4g} independent samples\n", value("autocorrelation_time"),
                       value("effective_sample_size"));

@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/input_file.hpp"
@@ -15,6 +18,7 @@
 #include "brash/model/case_keys.hpp"
 #include "brash/report/case_picture.hpp"
 #include "brash/simulation/initial_floes.hpp"
+#include "brash/simulation/run.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/mesh_file.hpp"
@@ -27,96 +31,141 @@
 namespace brash::cli {
 namespace {
 
-/// What became of a mesh when it was read.
-void print_mesh(const model::Mesh& mesh) {
-  const structure::MeshReport report = structure::examine(mesh).value();  // the case has been checked
-  print("# mesh                           {} triangles in {} shell{}\n", report.n_triangles, report.n_shells,
-        report.n_shells == 1 ? "" : "s");
-  print(
-      "# repairs of the mesh            {} vertices joined, {} triangles dropped, {} turned, {} holes filled, {} inner "
-      "shells left out\n",
-      report.n_joined, report.n_dropped, report.n_turned, report.n_holes_filled, report.n_inner_shells);
-  print("# convex parts of the mesh       {}, their volume is off by {:.2g} %\n", report.n_parts,
-        100.0 * report.parts_error);
+/// Rows of a name and what is known of it.
+class Rows {
+ public:
+  template <typename... Values>
+  void add(const char* name, fmt::format_string<Values...> format, Values&&... values) {
+    rows_.push_back(fmt::format("{:<31}{}", name, fmt::format(format, std::forward<Values>(values)...)));
+  }
+  /// @param before  each row.
+  void print(const char* before) const {
+    for (const std::string& row : rows_) cli::print("{}{}\n", before, row);
+  }
+
+ private:
+  std::vector<std::string> rows_;
+};
+
+void add_scales(const model::Case& resolved, const simulation::DerivedScales& scales, Rows& rows) {
+  rows.add("characteristic length l_c", "{:.4g} m", scales.characteristic_length);
+  rows.add("thickness / l_c", "{:.4g}", scales.thickness_over_lc);
+  rows.add("mu1 straight ahead", "{:.4g}", scales.mu1);
+  rows.add("freeboard, draught", "{:.4g} m, {:.4g} m", scales.freeboard, scales.draft);
+  rows.add("T_col of a piece l_c x l_c / 4", "{:.4g} s", scales.collision_time);
+  if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
+    rows.add("initial crack radius", "{:.4g} m", scales.initial_crack_radius);
+  if (scales.correlation_length > 0.0) rows.add("correlation length of the ice", "{:.4g} m", scales.correlation_length);
 }
 
-/// The hull as it lies in the water.
-void print_hull(const model::Case& resolved) {
-  const auto hull = structure::make_hull(resolved.structure);
-  const auto [least, most] = hull->bounds();
-  const structure::Displacement wet = hull->displaced({});
-  print("# hull                           {:.4g} m long, {:.4g} m wide, {:.4g} m high\n", most.x - least.x,
-        most.y - least.y, most.z - least.z);
-  if (!resolved.structure.legs.empty()) print("# legs                           {}\n", resolved.structure.legs.size());
-  print("# displacement                   {:.5g} m3, {:.5g} kg\n", wet.volume, resolved.water.density * wet.volume);
-  print("# centre of buoyancy             {:.4g} m ahead, {:.4g} m to port, {:.4g} m under water\n", wet.centre.x,
-        wet.centre.y, -wet.centre.z);
-  print("# waterplane                     {:.5g} m2\n", wet.waterplane.area);
-  for (const structure::NaturalMode& mode : structure::make_motion(resolved, *hull)->natural_modes()) {
-    if (mode.squared_frequency > 0.0)
-      print("# natural period                 {:.4g} s, mostly {}\n", 2.0 * kPi / std::sqrt(mode.squared_frequency),
-            mode.motion);
-    else
-      print("# no way back                    mostly {}: the structure is not stable there\n", mode.motion);
-  }
+/// How long the run is, and the part of it that its statistics cover.
+void add_times(const model::Case& resolved, const simulation::DerivedScales& scales, Rows& rows) {
+  const simulation::StatisticsWindow window = simulation::statistics_window(resolved, scales.initial_crack_radius);
+  rows.add("simulated time", "{:.6g} s in {} steps", resolved.time.duration,
+           std::llround(resolved.time.duration / resolved.time.step));
+  if (window.from >= resolved.time.duration)
+    rows.add("statistics", "none: the run is over before they begin");
+  else
+    rows.add("statistics", "from {:.4g} s to {:.4g} s; they begin when {}", window.from, window.until, window.begins);
 }
 
 /// The large ones are plates.
-void print_floes(const model::Case& resolved, const simulation::InitialField& field) {
+void add_field(const model::Case& resolved, const simulation::InitialField& field, Rows& rows) {
+  rows.add("field", "{:.4g} m x {:.4g} m", resolved.field.length, resolved.field.width);
+  if (model::has_ice_files(resolved.field)) {
+    rows.add("level ice", "{} sheet{}, {:.6g} m2", field.sheets.size(), field.sheets.size() == 1 ? "" : "s",
+             field.sheet_area);
+    rows.add("floes", "{}, {:.4g} m2", field.floes.size(), field.area);
+  }
+  if (resolved.field.kind != model::FieldKind::kFloes) return;
   const std::size_t n_plates = field.sheets.size();
   const double area = field.area + field.sheet_area;
-  print("# floes                          {}{}, {:.4g} m2, concentration {:.4g}\n", field.floes.size() + n_plates,
-        n_plates == 0 ? "" : fmt::format(" ({} of them plates)", n_plates), area,
-        area / (resolved.field.length * resolved.field.width));
+  rows.add("floes", "{}{}, {:.4g} m2, concentration {:.4g}", field.floes.size() + n_plates,
+           n_plates == 0 ? "" : fmt::format(" ({} of them plates)", n_plates), area,
+           area / (resolved.field.length * resolved.field.width));
 }
 
-void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {
-  refuse_overwriting(picture, {path});
-  io::refuse_replacing_results(picture);
-  model::Case resolved = io::read_case(path, overrides);
-  for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(picture, {*file});
-  check_picture_name(picture);
-  const simulation::DerivedScales scales = simulation::derived_scales(resolved);
-  print_data(io::to_toml(resolved));
-  const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
-  print("\n# {}", io::origin_line(io::origin_of(resolved)));
-  print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset),
-        keys.empty() ? "nothing, each of its keys is written" : keys);
-  print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
-  print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
-  print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
-  print("# freeboard, draught             {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
-  print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
-  const simulation::InitialField field = simulation::initial_field(resolved);
-  if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
-    print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
-  if (model::has_ice_files(resolved.field)) {
-    print("# level ice                      {} sheet{}, {:.6g} m2\n", field.sheets.size(),
-          field.sheets.size() == 1 ? "" : "s", field.sheet_area);
-    print("# floes                          {}, {:.4g} m2\n", field.floes.size(), field.area);
+/// The hull as it lies in the water.
+void add_hull(const model::Case& resolved, Rows& rows) {
+  const auto hull = structure::make_hull(resolved.structure);
+  const auto [least, most] = hull->bounds();
+  const structure::Displacement wet = hull->displaced({});
+  rows.add("hull", "{:.4g} m long, {:.4g} m wide, {:.4g} m high", most.x - least.x, most.y - least.y, most.z - least.z);
+  if (!resolved.structure.legs.empty()) rows.add("legs", "{}", resolved.structure.legs.size());
+  rows.add("displacement", "{:.5g} m3, {:.5g} kg", wet.volume, resolved.water.density * wet.volume);
+  constexpr double kRounding = 1e-9;  // of sums that would be zero [m]
+  const auto shown = [](double length) { return std::abs(length) < kRounding ? 0.0 : length; };
+  rows.add("centre of buoyancy", "{:.4g} m ahead, {:.4g} m to port, {:.4g} m under water", shown(wet.centre.x),
+           shown(wet.centre.y), -wet.centre.z);
+  rows.add("waterplane", "{:.5g} m2", wet.waterplane.area);
+  for (const structure::NaturalMode& mode : structure::make_motion(resolved, *hull)->natural_modes()) {
+    if (mode.squared_frequency > 0.0)
+      rows.add("natural period", "{:.4g} s, mostly {}", 2.0 * kPi / std::sqrt(mode.squared_frequency), mode.motion);
+    else
+      rows.add("no way back", "mostly {}: the structure is not stable there", mode.motion);
   }
-  if (resolved.field.kind == model::FieldKind::kFloes) print_floes(resolved, field);
-  if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
-  print_hull(resolved);
-  if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);
-  if (!picture.empty()) write_picture(picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
+}
+
+/// What became of a mesh when it was read.
+void add_mesh(const model::Mesh& mesh, Rows& rows) {
+  const structure::MeshReport report = structure::examine(mesh).value();  // the case has been checked
+  rows.add("mesh", "{} triangles in {} shell{}", report.n_triangles, report.n_shells, report.n_shells == 1 ? "" : "s");
+  rows.add("repairs of the mesh",
+           "{} vertices joined, {} triangles dropped, {} turned, {} holes filled, {} inner shells left out",
+           report.n_joined, report.n_dropped, report.n_turned, report.n_holes_filled, report.n_inner_shells);
+  rows.add("convex parts of the mesh", "{}, their volume is off by {:.2g} %", report.n_parts,
+           100.0 * report.parts_error);
+}
+
+struct CheckOptions {
+  std::string case_file, picture;
+  std::vector<std::string> overrides;
+  bool keys = false;  ///< every key in SI as well
+};
+
+void print_keys(const model::Case& resolved, const CheckOptions& options) {
+  const std::string keys =
+      fmt::format("{}", fmt::join(io::keys_set_by_preset(options.case_file, options.overrides), ", "));
+  print("# set by algorithm.preset = \"{}\": {}\n\n", model::name_of(resolved.algorithm.preset),
+        keys.empty() ? "nothing, each of its keys is written" : keys);
+  print_data(io::to_toml(resolved));
+}
+
+/// With the keys, the whole is a case file: the rows are comments in it.
+void check_case(const CheckOptions& options) {
+  refuse_overwriting(options.picture, {options.case_file});
+  io::refuse_replacing_results(options.picture);
+  model::Case resolved = io::read_case(options.case_file, options.overrides);
+  for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(options.picture, {*file});
+  check_picture_name(options.picture);
+  const simulation::DerivedScales scales = simulation::derived_scales(resolved);
+  const simulation::InitialField field = simulation::initial_field(resolved);
+  Rows rows;
+  add_scales(resolved, scales, rows);
+  add_times(resolved, scales, rows);
+  add_field(resolved, field, rows);
+  add_hull(resolved, rows);
+  if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) add_mesh(*mesh, rows);
+  const char* const before = options.keys ? "# " : "";
+  print("{}{}\n", before, io::origin_line(io::origin_of(resolved)));
+  rows.print(before);
+  if (!options.picture.empty())
+    write_picture(options.picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
   print_warnings(scales.warnings);
+  if (options.keys) print_keys(resolved, options);
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& app) {
-  struct Options {
-    std::string case_file, picture;
-    std::vector<std::string> overrides;
-  };
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Read a case, print it in SI with derived lengths and warnings");
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Read a case, print its lengths, its statistics' start and warnings");
   command->add_option("case", options->case_file, "case file (TOML)")->required();
   command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
+  command->add_flag("--keys", options->keys, "print every key in SI too: the whole is a case file");
   command->add_option("--picture", options->picture, "draw hull, waterline and field into this file, SVG or PNG");
   command->footer("Example: brash check experiments/ships/icebreaker.toml --picture ship.svg");
-  command->callback([options] { check_case(options->case_file, options->overrides, options->picture); });
+  command->callback([options] { check_case(*options); });
 }
 
 void add_schema_command(CLI::App& app) {

@@ -19,8 +19,8 @@ using analysis::TableUnit;
 
 /// The unit of a run's loads.
 TableUnit load_unit(const simulation::RunSummary& s) {
-  const std::array loads{s.mean_horizontal_whole, s.mean_vertical_whole, s.maximum_horizontal_whole,
-                         s.maximum_vertical_whole};
+  const std::array loads{s.mean_horizontal_whole,  s.mean_vertical_whole,      s.maximum_horizontal_whole,
+                         s.maximum_vertical_whole, s.minimum_horizontal_whole, s.minimum_vertical_whole};
   return analysis::unit_for(loads, "N");
 }
 
@@ -30,18 +30,24 @@ std::string load_row(const simulation::RunSummary& run, const char* name, const 
       !simulation::bears_interval(run, s)
           ? "[no interval]"
           : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / unit.one, s.mean_95.upper / unit.one);
+  const bool is_lower = analysis::acts_downwards(s);
   return fmt::format("  {:<11}{:>8.1f}  {:<16}{:>8.1f}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
                      s.mean / unit.one, interval, s.effective_sample_size, s.standard_deviation / unit.one,
-                     s.quantile_99 / unit.one, s.maximum / unit.one, split.crushing / unit.one,
+                     (is_lower ? s.quantile_1 : s.quantile_99) / unit.one,
+                     (is_lower ? s.minimum : s.maximum) / unit.one, split.crushing / unit.one,
                      split.floe_normal / unit.one, split.floe_friction / unit.one);
 }
+
+/// The largest load in magnitude.
+double largest(double least, double most) { return -least > std::abs(most) ? least : most; }
 
 std::string loads(const simulation::RunSummary& s) {
   const TableUnit unit = load_unit(s);
   const std::string whole = fmt::format(
       "  over the whole run: mean {:.1f} horizontal, {:.1f} vertical; largest {:.1f} horizontal, {:.1f} vertical\n",
-      s.mean_horizontal_whole / unit.one, s.mean_vertical_whole / unit.one, s.maximum_horizontal_whole / unit.one,
-      s.maximum_vertical_whole / unit.one);
+      s.mean_horizontal_whole / unit.one, s.mean_vertical_whole / unit.one,
+      largest(s.minimum_horizontal_whole, s.maximum_horizontal_whole) / unit.one,
+      largest(s.minimum_vertical_whole, s.maximum_vertical_whole) / unit.one);
   if (std::isnan(s.horizontal.mean))
     return fmt::format(
                "loads on the structure [{}]\n  none from t = {:.2f} s on: the run is over before its statistics begin "
@@ -54,6 +60,8 @@ std::string loads(const simulation::RunSummary& s) {
   text += "                 mean  95 % interval    samples     dev.     99 %       max   crushing  contact  friction\n";
   text += load_row(s, "horizontal", s.horizontal, s.horizontal_split, unit);
   text += load_row(s, "vertical", s.vertical, s.vertical_split, unit);
+  if (analysis::acts_downwards(s.horizontal) || analysis::acts_downwards(s.vertical))
+    text += "  note: 99 % and max of a negative load are of its lower end\n";
   if (!s.horizontal.long_enough && simulation::bears_interval(s, s.horizontal))
     text += fmt::format("  note: the history is {}\n", analysis::kTooShort);
   return text + whole;
@@ -85,18 +93,24 @@ std::string difference(const simulation::RunSummary& s, double measured, const T
          "  note: the mean of one run is weak evidence, because each seed gives another mean\n";
 }
 
-/// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
+/// Other people's numbers for the same structure and ice. A ship's regression gives a mean, as a run does, the other
+/// closed forms give peaks and are of fixed structures.
 std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
+  const auto lindqvist = analysis::lindqvist_of(resolved);
+  const bool is_ship = lindqvist && *lindqvist;
   const auto croasdale = analysis::croasdale_of(resolved);
   const auto ralston = analysis::ralston_of(resolved, standards::Yield::kTresca);
-  const std::array largest{croasdale ? croasdale->horizontal : 0.0, ralston ? ralston->horizontal : 0.0,
+  const std::array largest{is_ship ? (*lindqvist)->total : 0.0, croasdale && !is_ship ? croasdale->horizontal : 0.0,
+                           ralston && !is_ship ? ralston->horizontal : 0.0,
                            resolved.reference.mean_horizontal.value_or(0.0)};
   const TableUnit unit = analysis::unit_for(largest, "N");
   std::string text = fmt::format("for comparison, horizontal{} [{}]\n",
                                  resolved.structure.legs.size() < 2 ? "" : ", on one leg alone", unit.name);
-  if (croasdale)
+  if (is_ship)
+    text += fmt::format("  Lindqvist (regression of a ship), mean     {:>7.1f}\n", (*lindqvist)->total / unit.one);
+  if (croasdale && !is_ship)
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", croasdale->horizontal / unit.one);
-  if (ralston)
+  if (ralston && !is_ship)
     text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", ralston->horizontal / unit.one);
   if (const auto measured = resolved.reference.mean_horizontal)
     text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / unit.one) +

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "quantity.hpp"
 #include "schema.hpp"
 #include "site_ice.hpp"
 
@@ -21,13 +24,68 @@ std::string first_sentence(const std::string& description) {
   return end == std::string::npos ? description : description.substr(0, end + 1);
 }
 
-/// A start ahead of the ice, and room for a ship: the examples are those of the validation case, a cone.
-std::string fitting_value(const std::string& key, const std::string& kind) {
-  if (key == "start_distance" && kind != "cone" && kind != "faceted-cone")
-    return kind == "ship" ? "\"45 m\"" : "\"15 m\"";
-  if (kind == "ship" && key == "duration") return "\"60 s\"";
-  if (kind == "ship" && (key == "field.length" || key == "field.width")) return "\"150 m\"";
-  return "";
+/// A quantity of a new case in SI: the value of the site, or else the default or the example of the key.
+double quantity(const SiteIce& ice, const std::string& section, const std::string& key) {
+  const OrderedJson& key_schema = schema_of_cases().keys(section).at(key);
+  const auto of_site = ice.value_of(section + "." + key);
+  const OrderedJson value = of_site                          ? OrderedJson::parse(of_site->toml)
+                            : key_schema.contains("default") ? key_schema.at("default")
+                                                             : key_schema.at("examples").front();
+  return value.is_string() ? read_quantity(value.get<std::string>(), key_schema.at("x-unit").get<std::string>()).value()
+                           : value.get<double>();
+}
+
+/// l_c of the ice (Eq. 18) [m].
+double characteristic_length(const SiteIce& ice) {
+  const double h = quantity(ice, "ice", "thickness"), nu = quantity(ice, "ice", "poisson_ratio");
+  return std::pow(quantity(ice, "ice", "youngs_modulus") * h * h * h /
+                      (12.0 * quantity(ice, "water", "density") * kGravity * (1.0 - nu * nu)),
+                  0.25);
+}
+
+/// Distance from the axis to the ice edge at the start [m]. The examples are of the validation case, a cone.
+double start_distance(const std::string& kind, const SiteIce& ice) {
+  if (kind == "ship") return 45.0;
+  return kind == "cone" || kind == "faceted-cone" ? quantity(ice, "structure", "start_distance") : 15.0;
+}
+
+/// A run that breaks the ice several times, in enough ice for it.
+struct Sizes {
+  double length = 0.0, width = 0.0;  ///< of the ice [m]
+  double duration = 0.0;             ///< [s]
+};
+
+double rounded_up(double value, double unit) { return unit * std::ceil(value / unit); }
+
+/// Statistics begin about l_c behind the edge, where the initial crack ends. A break is some 0.4 l_c long. A ship's
+/// load is steady when its whole length is in the ice.
+Sizes sizes_for(const std::string& kind, const SiteIce& ice) {
+  constexpr double kTravel = 6.0, kBorder = 3.0;  // characteristic lengths
+  const bool is_ship = kind == "ship", is_round = kind == "cone" || kind == "faceted-cone";
+  const double l_c = characteristic_length(ice);
+  const double width = is_ship ? quantity(ice, "hull", "breadth") : quantity(ice, "structure", "waterline_width");
+  const double length = is_ship    ? quantity(ice, "hull", "length")
+                        : is_round ? width
+                                   : quantity(ice, "structure", "length");
+  const double start = start_distance(kind, ice), speed = quantity(ice, "structure", "speed");
+  const double travel = start + l_c + std::max(kTravel * l_c, is_ship ? length : 0.0);
+  const double duration = rounded_up(travel / speed, 5.0);
+  const double bow_at_end = speed * duration - start + 0.5 * length;
+  return {.length = rounded_up(bow_at_end + kBorder * l_c, 10.0),
+          .width = rounded_up(width + 2.0 * kBorder * l_c, 10.0),
+          .duration = duration};
+}
+
+/// The value of a key where it depends on structure and ice; "": the schema's own. The cone in the ice of the basin is
+/// the validation case.
+std::string fitting_value(const std::string& key, const std::string& kind, const SiteIce& ice) {
+  const bool is_validation = ice.name() == "basin" && kind != "ship";
+  if (key == "structure.start_distance") return fmt::format("\"{:g} m\"", start_distance(kind, ice));
+  if (is_validation) return "";
+  const Sizes sizes = sizes_for(kind, ice);
+  if (key == "field.length") return fmt::format("\"{:g} m\"", sizes.length);
+  if (key == "field.width") return fmt::format("\"{:g} m\"", sizes.width);
+  return key == "time.duration" ? fmt::format("\"{:g} s\"", sizes.duration) : "";
 }
 
 /// `key = value  # meaning and plausible values`, with the default of the key, or else its example.
@@ -60,7 +118,7 @@ std::string section_keys(const std::string& section, const std::string& kind, co
     if (const auto of_site = ice.value_of(section + "." + key))
       text += commented(of_site->source) + key_line(key, key_schema, of_site->toml);
     else if (is_required || is_particular || is_useful)
-      text += key_line(key, key_schema, fitting_value(section == "field" ? "field." + key : key, kind));
+      text += key_line(key, key_schema, fitting_value(section + "." + key, kind, ice));
   }
   return text;
 }

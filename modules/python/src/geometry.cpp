@@ -317,7 +317,7 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
       .def("contains", &contains, py::arg("points"), "shape (2,) -> bool; shape (n, 2) -> shape (n,).")
       .def("cut", &cut, py::arg("region"), py::arg("cracks") = py::none(),
            "Takes the ice inside `region` (one simple polygon) out and splits it along `cracks`, shape (n, 2, 2): the "
-           "two ends of each [m].")
+           "two ends of each [m]. A region around the sheet takes all of it.")
       .def("cut_circumferential", &cut_circumferential, py::arg("centre"), py::arg("radius"), py::arg("wedges") = 4,
            py::arg("angles") = py::none(), py::arg("sides") = 16,
            "Breaks the ice within `radius` [m] of `centre`, shape (2,), free and divides it by radial cracks: evenly "

@@ -53,14 +53,15 @@ Fit fitted(tl::expected<Fit, FitError> fit) {
 void add_values(py::module_& m) {
   add_value<Interval>(m, "Interval", "Confidence interval.", pair("lower", &Interval::lower),
                       pair("upper", &Interval::upper));
-  add_value<Summary>(
-      m, "Summary", "Statistics of an evenly sampled load history, in its unit; times in s.", pair("n", &Summary::n),
-      pair("mean", &Summary::mean), pair("mean_95", &Summary::mean_95),
-      pair("standard_deviation", &Summary::standard_deviation), pair("minimum", &Summary::minimum),
-      pair("maximum", &Summary::maximum), pair("skewness", &Summary::skewness),
-      pair("quantile_50", &Summary::quantile_50), pair("quantile_95", &Summary::quantile_95),
-      pair("quantile_99", &Summary::quantile_99), pair("autocorrelation_time", &Summary::autocorrelation_time),
-      pair("effective_sample_size", &Summary::effective_sample_size), pair("long_enough", &Summary::long_enough));
+  add_value<Summary>(m, "Summary", "Statistics of an evenly sampled load history, in its unit; times in s.",
+                     pair("n", &Summary::n), pair("mean", &Summary::mean), pair("mean_95", &Summary::mean_95),
+                     pair("standard_deviation", &Summary::standard_deviation), pair("minimum", &Summary::minimum),
+                     pair("maximum", &Summary::maximum), pair("skewness", &Summary::skewness),
+                     pair("quantile_1", &Summary::quantile_1), pair("quantile_50", &Summary::quantile_50),
+                     pair("quantile_95", &Summary::quantile_95), pair("quantile_99", &Summary::quantile_99),
+                     pair("autocorrelation_time", &Summary::autocorrelation_time),
+                     pair("effective_sample_size", &Summary::effective_sample_size),
+                     pair("long_enough", &Summary::long_enough));
   add_value<Moments>(m, "Moments", "Moments of a sample.", pair("n", &Moments::n), pair("mean", &Moments::mean),
                      pair("variance", &Moments::variance), pair("skewness", &Moments::skewness),
                      pair("excess_kurtosis", &Moments::excess_kurtosis), pair("minimum", &Moments::minimum),

@@ -39,25 +39,27 @@ void draw_history(const analysis::LoadHistory& load, double origin, const char* 
   chart.history(times, load.history.values, load.even.cuts, colour);
 }
 
-std::string histories(const analysis::LoadHistory& run, const analysis::LoadHistory& measured) {
+using Names = std::array<std::string, 2>;
+
+std::string histories(const analysis::LoadHistory& run, const analysis::LoadHistory& measured, const Names& names) {
   const double start_a = run.history.times.front(), start_b = measured.history.times.front();
   const double end = std::max(run.history.times.back() - start_a, measured.history.times.back() - start_b);
   const double low = std::min(0.0, smallest_of(run.history.values, measured.history.values));
   const double high = upper_end(low, std::max(0.0, largest_of(run.history.values, measured.history.values)));
   std::string svg;
-  const auto panel = [&](const analysis::LoadHistory& load, double start, double top, const char* name,
+  const auto panel = [&](const analysis::LoadHistory& load, double start, double top, const std::string& name,
                          const char* colour) {
     Chart chart(75.0, top, 900.0, 110.0, fmt::format("{}: {}", name, load.column),
                 {top > 100.0 ? "time from the start [s]" : "", 0.0, end}, {label("load", load.unit), low, high});
     draw_history(load, start, colour, chart);
     svg += chart.svg();
   };
-  panel(run, start_a, 30.0, "run", kRun);
-  panel(measured, start_b, 180.0, "measured", kMeasured);
+  panel(run, start_a, 30.0, names[0], kRun);
+  panel(measured, start_b, 180.0, names[1], kMeasured);
   return svg;
 }
 
-std::string ratios(const ordered_json& comparison) {
+std::string ratios(const ordered_json& comparison, const Names& sides) {
   const std::array<std::pair<const char*, const char*>, 4> rows{
       {{"mean", "mean"}, {"deviation", "deviation"}, {"mean_peak", "mean peak"}, {"peak_rate", "peaks a second"}}};
   double lower = 0.5, upper = 2.0;
@@ -66,7 +68,8 @@ std::string ratios(const ordered_json& comparison) {
     lower = std::min(lower, 0.9 * comparison[key]["ratio_95"][0].get<double>());
     upper = std::max(upper, 1.1 * comparison[key]["ratio_95"][1].get<double>());
   }
-  Chart chart(110.0, 375.0, 210.0, 260.0, "run / measured, 95 %", {"ratio", lower, upper}, {"", 0.0, 4.0});
+  Chart chart(110.0, 375.0, 210.0, 260.0, fmt::format("{} / {}, 95 %", sides[0], sides[1]), {"ratio", lower, upper},
+              {"", 0.0, 4.0});
   chart.line({1.0, 1.0}, {0.0, 4.0}, "#333");
   std::string names;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -139,12 +142,12 @@ std::string spectra(const analysis::LoadHistory& run, const analysis::LoadHistor
 
 std::string comparison_picture(const analysis::LoadHistory& run, const analysis::LoadHistory& measured,
                                const ordered_json& comparison) {
+  const Names names = analysis::side_names(comparison);
   const std::string legend = fmt::format(
-      "<text x=\"110\" y=\"692\" style=\"fill:{}\">run</text><text x=\"150\" y=\"692\" style=\"fill:{}\">measured"
-      "</text>\n",
-      kRun, kMeasured);
+      "<text x=\"110\" y=\"692\" style=\"fill:{}\">{}</text><text x=\"190\" y=\"692\" style=\"fill:{}\">{}</text>\n",
+      kRun, names[0], kMeasured, names[1]);
   return svg_page(kPageWidth, kPageHeight,
-                  histories(run, measured) + ratios(comparison) + distributions(run, measured) +
+                  histories(run, measured, names) + ratios(comparison, names) + distributions(run, measured) +
                       spectra(run, measured, comparison) + legend);
 }
 

@@ -48,7 +48,8 @@ ordered_json of_lower_end(const analysis::LoadHistory& load) {
   ordered_json out = statistics_and_events(analysis::negated(load));
   out["column"] = load.column;
   std::swap(out["minimum"], out["maximum"]);
-  turn(out, {"mean", "mean_95", "minimum", "maximum", "skewness", "quantile_50", "quantile_95", "quantile_99"});
+  turn(out, {"mean", "mean_95", "minimum", "maximum", "skewness", "quantile_1", "quantile_50", "quantile_95",
+             "quantile_99"});
   turn(out["peaks"], {"level", "mean", "maximum"});
   turn(out["extremes"], {"threshold", "level", "level_95"});
   turn(out["block_maxima"], {"location", "level", "level_95"});

@@ -42,6 +42,7 @@ statistics::Summary summarise_component(std::span<const model::LoadRow> rows, do
             .minimum = kUnknown,
             .maximum = kUnknown,
             .skewness = kUnknown,
+            .quantile_1 = kUnknown,
             .quantile_50 = kUnknown,
             .quantile_95 = kUnknown,
             .quantile_99 = kUnknown,
@@ -128,6 +129,7 @@ nlohmann::ordered_json json_of(const RunSummary& run, const statistics::Summary&
           {"minimum", s.minimum},
           {"maximum", s.maximum},
           {"skewness", s.skewness},
+          {"quantile_1", s.quantile_1},
           {"quantile_50", s.quantile_50},
           {"quantile_95", s.quantile_95},
           {"quantile_99", s.quantile_99},
@@ -247,6 +249,8 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.mean_vertical_whole = mean(results.loads, total_z);
   s.maximum_horizontal_whole = maximum(results.loads, total_x);
   s.maximum_vertical_whole = maximum(results.loads, total_z);
+  s.minimum_horizontal_whole = -maximum(results.loads, [&](const auto& row) { return -total_x(row); });
+  s.minimum_vertical_whole = -maximum(results.loads, [&](const auto& row) { return -total_z(row); });
 
   s.n_breaks = static_cast<int>(results.events.size());
   std::vector<double> lengths, overloads, stresses;
@@ -295,6 +299,7 @@ std::string to_json(const RunSummary& s) {
       {"vertical", json_of(s, s.vertical, s.vertical_split)},
       {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},
       {"maximum_whole_history", {{"horizontal", s.maximum_horizontal_whole}, {"vertical", s.maximum_vertical_whole}}},
+      {"minimum_whole_history", {{"horizontal", s.minimum_horizontal_whole}, {"vertical", s.minimum_vertical_whole}}},
       {"n_breaks", s.n_breaks},
       {"breaks_decided", json_of_counts(s.breaks)},
       {"breaking_frequency", s.breaking_frequency},

@@ -155,7 +155,7 @@ Summary summarise_weighted(std::span<const double> samples, std::span<const doub
                            const AutocorrelationTime& correlation) {
   quiet_gsl();
   const Moments m = moments(samples, weights);
-  const std::vector<double> q = quantiles(samples, weights, std::array{0.50, 0.95, 0.99});
+  const std::vector<double> q = quantiles(samples, weights, std::array{0.01, 0.50, 0.95, 0.99});
   Summary summary;
   summary.n = m.n;
   summary.mean = m.mean;
@@ -163,9 +163,10 @@ Summary summarise_weighted(std::span<const double> samples, std::span<const doub
   summary.minimum = m.minimum;
   summary.maximum = m.maximum;
   summary.skewness = m.skewness;
-  summary.quantile_50 = q[0];
-  summary.quantile_95 = q[1];
-  summary.quantile_99 = q[2];
+  summary.quantile_1 = q[0];
+  summary.quantile_50 = q[1];
+  summary.quantile_95 = q[2];
+  summary.quantile_99 = q[3];
 
   const auto n = static_cast<double>(m.n);
   double duration = 0.0;

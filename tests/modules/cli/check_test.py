@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import subprocess
+import tomllib
 import unittest
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
@@ -17,9 +18,31 @@ class Check(unittest.TestCase):
         return done.stdout
 
     def test_a_radius_is_named_where_a_crack_is_cut(self):
-        line = "# initial crack radius"
+        line = "initial crack radius"
         self.assertIn(line, self.check())
         self.assertNotIn(line, self.check("--set", "field.initial_crack=false"))
+
+    def test_lengths_and_times_come_first_and_keys_on_request(self):
+        said = self.check().splitlines()
+        self.assertLess(len(said), 20)
+        self.assertEqual(said[0][:8], "preset: ")
+        self.assertRegex(said[1], r"^characteristic length l_c +3\.27")
+        self.assertFalse([line for line in said if " = " in line])
+        with_keys = self.check("--keys")
+        self.assertEqual(with_keys.splitlines()[:len(said)], ["# " + line for line in said])
+        self.assertEqual(tomllib.loads(with_keys)["ice"]["thickness"], 0.33)
+
+    def test_duration_and_the_part_for_statistics_are_known_before_the_run(self):
+        self.assertRegex(self.check(), r"(?m)^simulated time +20 s in \d+ steps$")
+        begins = "they begin when the structure's axis passes the ice edge"
+        self.assertRegex(self.check(), rf"(?m)^statistics +from 5\.824 s to 20 s; {begins}$")
+        self.assertRegex(self.check("--set", "output.statistics_from=9"), r"(?m)^statistics +from 9 s to 20 s; they begin when output")
+        self.assertRegex(self.check("--set", "time.duration=5"), r"(?m)^statistics +none: the run is over before")
+
+    def test_what_is_zero_but_for_rounding_is_zero(self):
+        said = subprocess.run([BRASH, "check", str(SOURCE / "experiments/ships/icebreaker.toml")], capture_output=True,
+                              text=True, check=True).stdout
+        self.assertIn(" ahead, 0 m to port, ", said)
 
 
 class Loads(unittest.TestCase):

@@ -71,7 +71,7 @@ class Folders(unittest.TestCase):
         one, again = run("one"), run("again")
         other = run("other", "--set", "ice.thickness=0.4", "--set", "random.seed=7")
         lines = self.compare(one, other).stdout.splitlines()
-        self.assertEqual(lines[0].split(), ["inputs", "that", "differ", "run", "measured"])
+        self.assertEqual(lines[0].split(), ["inputs", "that", "differ", "run", "1", "run", "2"])
         self.assertEqual([line.split()[0] for line in lines[1:3]], ["ice.thickness", "random.seed"])
         self.assertEqual(lines[1].split()[-1], "0.4")
         self.assertEqual(lines[3], "")
@@ -82,6 +82,23 @@ class Folders(unittest.TestCase):
             self.assertIn("both sides have the same run", self.compare(one, same).stdout.splitlines()[0])
         self.assertIn("both sides have the same run",
                       self.compare(self.run_of("measured", 20.0, 0.0), self.folder / "measured").stdout)
+
+    def test_each_side_is_named_by_what_it_is(self):
+        run = self.folder / "run"
+        made = subprocess.run([BRASH, "run", str(SOURCE / "experiments/validation/cone.toml"), "--set", "failure.model=wedge",
+                               "--set", "time.duration=2", "--set", "output.statistics_from=1", "-o", str(run)],
+                              capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        measured = self.run_of("measured", 20.0, 0.0) / "history.csv"
+        for sides, names in (((run, run), ("run 1", "run 2")), ((run, measured), ("run", "measured")),
+                             ((measured, run), ("measured", "run")), ((measured, measured), ("measured 1", "measured 2"))):
+            said = self.compare(*sides, "--measured-column", "Fx").stdout
+            unit = "loads [N]" if sides[0] == run else ""  # the file of the measurement names none
+            self.assertIn(f"\n  {unit:<17} {names[0]:>12} {names[1]:>12}\n", "\n" + said)
+            self.assertIn(f"\n{names[0]} over {names[1]}, 95 % interval", said)
+            picture = (self.folder / "picture.svg").read_text(encoding="utf-8")
+            for text in (f"{names[0]}: Fx", f"{names[1]}: Fx", f"{names[0]} / {names[1]}, 95 %"):
+                self.assertIn(text, picture)
 
     def test_a_run_has_the_mean_of_itself(self):
         run = self.run_of("run", 40.0, 30.0)

@@ -128,8 +128,8 @@ class Mesh(unittest.TestCase):
         done = brash("check", self.case)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("2 triangles dropped, 2 turned, 0 holes filled", done.stdout)
-        self.assertRegex(done.stdout, r"# displacement +505\.\d")
-        self.assertRegex(done.stdout, r"# convex parts of the mesh +1,")
+        self.assertRegex(done.stdout, r"displacement +505\.\d")
+        self.assertRegex(done.stdout, r"convex parts of the mesh +1,")
 
     def test_check_draws_over_no_file_that_it_reads(self):
         mesh = self.mesh.read_bytes()
@@ -189,6 +189,8 @@ class Ships(unittest.TestCase):
                 loads = columns(pathlib.Path(folder))
                 self.assertGreater(max(loads["Fx"]), 1e3)
                 self.check_regions(loads)
+                self.assertRegex(done.stdout, r"Lindqvist \(regression of a ship\), mean +\d")
+                self.assertNotIn("Croasdale", done.stdout)
 
     def check_regions(self, loads):
         """The regions' loads add up to the whole, and a ship that has just touched the ice bears it at her bow."""

@@ -70,13 +70,13 @@ class Origin(unittest.TestCase):
     def test_check_and_loads_name_them_of_the_case(self):
         line = f"preset: paper (1 key changed); program: {THIS}\n"
         changed = ["--set", "algorithm.preset=paper", "--set", "failure.pieces=break"]
-        self.assertIn("# " + line, self.brash("check", CONE, *changed))
+        self.assertIn(line, self.brash("check", CONE, *changed))
         self.assertIn(line, self.brash("loads", CONE, *changed))
         self.assertEqual(self.json("loads", CONE, *changed)["origin"]["presets"], ["paper (1 key changed)"])
 
     def test_a_key_that_repeats_its_preset_is_no_change(self):
-        self.assertIn("# preset: brash; ", self.brash("check", CONE, "--set", "algorithm.preset=brash", "--set",
-                                                      "failure.pieces=break"))
+        self.assertIn("preset: brash; ", self.brash("check", CONE, "--set", "algorithm.preset=brash", "--set",
+                                                    "failure.pieces=break"))
 
     def test_stats_names_the_program_that_made_the_run(self):
         self.assertIn(f"  preset: brash; program: {THIS}\n", self.brash("stats", "own/run.nc", "--column", "Fx"))
@@ -104,8 +104,8 @@ class Origin(unittest.TestCase):
 
     def test_compare_names_both_sides(self):
         text = self.brash("compare", "paper", "old", "-o", "both.svg")
-        self.assertIn(f"run: preset: paper (1 key changed); program: {THIS}\n", text)
-        self.assertIn("measured: preset: brash; program: brash 0.0.7\n", text)
+        self.assertIn(f"run 1: preset: paper (1 key changed); program: {THIS}\n", text)
+        self.assertIn("run 2: preset: brash; program: brash 0.0.7\n", text)
 
     def test_pieces_of_a_run_name_them(self):
         self.assertEqual(self.json("pieces", "own", "--born")["origin"], {"presets": ["brash"], "programs": [THIS]})
@@ -119,7 +119,7 @@ class Origin(unittest.TestCase):
         text = self.brash(*run)
         [preset] = json.loads((campaign / "summary.json").read_text())["origin"]["presets"]
         self.assertRegex(preset, r"^brash \(\d keys changed\)$")  # its plan chooses another failure model
-        self.assertIn(f"# preset: {preset}; ", self.brash("check", campaign / "settings" / "plan_speed-1.4.toml"))
+        self.assertIn(f"preset: {preset}; ", self.brash("check", campaign / "settings" / "plan_speed-1.4.toml"))
         self.assertIn(f"preset: {preset}; program: {THIS}\n", text)
         old = campaign / "cases" / "speed-1.4-r0000" / "manifest.json"
         old.write_text(old.read_text().replace(f'"version": "{THIS[6:]}"', '"version": "0.0.7"'))

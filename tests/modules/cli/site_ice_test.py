@@ -101,6 +101,35 @@ class Templates(unittest.TestCase):
                         for warning in ("youngs-modulus", "flexural-strength", "density", "friction", "strengths"):
                             self.assertNotIn(f"warning: {warning}", said)
 
+    def test_field_and_duration_of_a_new_case_suit_its_ice_and_its_structure(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in SITES:
+                for kind in ("cone", "faceted-cone", "wedge-bow", "plane", "ship"):
+                    with self.subTest(name, kind=kind):
+                        file = pathlib.Path(folder) / f"{name}-{kind}.toml"
+                        brash("new", "-o", file, "--kind", kind, "--ice", name)
+                        said = brash("check", file).stderr
+                        for warning in ("near-side", "near-end", "leaves-field", "no-statistics", "short-run"):
+                            self.assertNotIn(f"warning: {warning}", said)
+
+    def test_a_run_of_a_new_case_is_six_characteristic_lengths_long_behind_its_initial_crack(self):
+        for name, l_c in (("baltic", 6.55), ("bohai", 4.23), ("arctic", 17.1)):
+            case = tomllib.loads(brash("new", "--ice", name).stdout)
+            duration, length, width = (float(case[section][key].split()[0]) for section, key in
+                                       (("time", "duration"), ("field", "length"), ("field", "width")))
+            travel = duration * 1.202 - 7
+            self.assertTrue(7 * l_c <= travel <= 7 * l_c + 6.2, (name, travel / l_c))  # rounded up to 5 s
+            self.assertTrue(0 <= length - (travel + 6.8 + 3 * l_c) <= 10, (name, length))
+            self.assertTrue(0 <= width - (6 * l_c + 13.6) <= 10, (name, width))
+
+    def test_the_page_begins_with_the_new_case(self):
+        page = (SOURCE / "modules/simulator/page/new_case.toml").read_text(encoding="utf-8")
+        self.assertEqual(page.split("\n", 1)[1], brash("new", "--ice", "baltic").stdout)
+
+    def test_the_cone_in_the_ice_of_the_basin_stays_the_validation_case(self):
+        new = tomllib.loads(brash("new").stdout)
+        self.assertEqual((new["time"]["duration"], new["field"]), ("20 s", {"length": "50 m", "width": "50 m"}))
+
     def test_the_ice_of_the_basin_is_warned_of_in_a_case_of_no_basin(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "mine.toml"

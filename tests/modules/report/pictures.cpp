@@ -81,7 +81,8 @@ BOOST_AUTO_TEST_CASE(the_picture_holds_both_histories_and_closes_its_elements) {
   measured.history.times.erase(measured.history.times.begin() + 500, measured.history.times.begin() + 900);
   measured.history.values.erase(measured.history.values.begin() + 500, measured.history.values.begin() + 900);
   measured.even = statistics::make_even(measured.history);
-  const LoadHistory run = noise(2, 1000, 100.0, 10.0);
+  LoadHistory run = noise(2, 1000, 100.0, 10.0);
+  run.origin.programs = {"brash 0.3.0"};
   const std::string svg = comparison_picture(run, measured, analysis::compare_histories(run, measured));
   BOOST_TEST(contains(svg, "run: Fx"));
   BOOST_TEST(contains(svg, "measured: Fx"));

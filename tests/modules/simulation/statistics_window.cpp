@@ -42,13 +42,15 @@ BOOST_AUTO_TEST_CASE(statistics_begin_behind_the_initial_crack) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_is_too_short_is_told_how_long_it_should_be) {
-  // l_c = 3.27 m and 1.202 m/s: ten times 0.327 m take 2.72 s, after 9.98 s.
+  // l_c = 3.27 m and 1.202 m/s: five breaking lengths of 1.31 m take 5.44 s, after 9.98 s.
   const auto warnings = [](const char* duration) {
     return warnings_with({"algorithm.preset=brash", "field.initial_crack_radius=5", duration});
   };
-  BOOST_TEST(says(text_of(warnings("time.duration=9"), "no-statistics"), "from 9 s to 13 s or more"));
-  BOOST_TEST(says(text_of(warnings("time.duration=11"), "short-run"), "from 11 s to 13 s or more"));
-  BOOST_TEST(!has(warnings("time.duration=13"), "short-run"));
+  BOOST_TEST(says(text_of(warnings("time.duration=9"), "no-statistics"), "from 9 s to 16 s or more"));
+  const auto text = text_of(warnings("time.duration=15"), "short-run");
+  BOOST_TEST(says(text, "a break reaches about 0.4 l_c = 1.31 m: expected 5 breaking lengths"), text);
+  BOOST_TEST(says(text, "from 15 s to 16 s or more"), text);
+  BOOST_TEST(!has(warnings("time.duration=16"), "short-run"));
 }
 
 BOOST_AUTO_TEST_CASE(statistics_end_where_the_structure_leaves_the_ice) {

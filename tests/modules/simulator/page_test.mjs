@@ -59,7 +59,7 @@ test("the page draws its case at once, from a folder, without a network", async 
 test("the page reads a case as the program does", async () => {
   const page = await openPage(browser, page_file);
   const description = await page.evaluate(() => window.brashSimulator.store.description);
-  assert.ok(brash("check", kCase).stdout.includes(description.toml.trim()), description.toml);
+  assert.ok(brash("check", kCase, "--keys").stdout.includes(description.toml.trim()), description.toml);
   const native = JSON.parse(brash("loads", kCase, "--json").stdout);
   assert.equal(description.loads.loads.length, native.loads.length);
   description.loads.loads.forEach((load, i) => {
@@ -165,7 +165,7 @@ test("controls change the case, and buttons play, stop and begin it anew", async
   const { bytes } = await saved(page, page.getByRole("button", { name: "Save the case" }).first());
   const file = join(folder, "saved.toml");
   writeFileSync(file, bytes);
-  assert.match(brash("check", file).stdout, /^thickness = 0\.4 /m);
+  assert.match(brash("check", file, "--keys").stdout, /^thickness = 0\.4 /m);
   writeFileSync(file, bytes.toString().replace('"0.4 m"', '"55 cm"'));
   await page.locator("input[type=file]").setInputFiles(file);
   await page.evaluate(() => window.brashSimulator.store.checked);

@@ -51,6 +51,7 @@ BOOST_AUTO_TEST_CASE(moments_and_quantiles_of_a_short_history_are_those_of_hand_
   BOOST_TEST(s.skewness == (180.0 / 5.0) / std::pow(10.0, 1.5), close);  // 0, -27, -1, -8, 216
   BOOST_TEST(s.minimum == 1.0);
   BOOST_TEST(s.maximum == 10.0);
+  BOOST_TEST(s.quantile_1 == 1.04, close);
   BOOST_TEST(s.quantile_50 == 3.0, close);
   BOOST_TEST(s.quantile_95 == 4.0 + 0.8 * 6.0, close);
   BOOST_TEST(s.quantile_99 == 4.0 + 0.96 * 6.0, close);

@@ -41,7 +41,7 @@ export const meaningOf = (data: CampaignData, key: string): string =>
   key === kLabel ? "the name that the plan gives" : `${key}: ${schemaOf(data.schema, key)?.description ?? "an input"}`;
 
 const kStatistics: Record<string, string> = {
-  mean: "mean", standard_deviation: "deviation of the", minimum: "smallest", maximum: "largest", quantile_50: "median",
+  mean: "mean", standard_deviation: "deviation of the", minimum: "smallest", maximum: "largest", quantile_1: "1 % quantile of the", quantile_50: "median",
   quantile_95: "95 % quantile of the", quantile_99: "99 % quantile of the", skewness: "skewness of the",
   autocorrelation_time: "autocorrelation time of the", effective_sample_size: "independent samples of the",
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs,
 /// Histories one after another with gaps between them.
 /// @throws InputError when their units differ.
 LoadHistory joined(const std::vector<LoadHistory>& loads);
+
+/// What the two sides of a comparison are: a run, whose origin is known, or a measurement. "run" and "measured", or
+/// "run 1" and "run 2" where both are of one kind.
+std::array<std::string, 2> side_names(const nlohmann::ordered_json& comparison);
 
 /// The same as text for a reader.
 std::string comparison_text(const nlohmann::ordered_json& comparison);

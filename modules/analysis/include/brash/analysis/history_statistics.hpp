@@ -34,6 +34,9 @@ statistics::ExtremeAnalysis extremes_of(const LoadHistory& load, const statistic
 /// The interval of the mean; nulls below ten independent samples, as in summary.json.
 nlohmann::ordered_json interval_of_mean(const statistics::Summary& summary);
 
+/// Whether the larger loads are the lowest ones, as the vertical loads of a cone that bends the ice up are.
+bool acts_downwards(const statistics::Summary& s);
+
 /// The line about a history too short for its statistics, `name` for its subject; "" for one that is long enough.
 /// @param side  with the keys of statistics_of().
 std::string short_note(const char* name, const nlohmann::ordered_json& side);

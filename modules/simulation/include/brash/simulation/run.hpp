@@ -68,6 +68,8 @@ struct RunSummary {
   double mean_vertical_whole = 0.0;
   double maximum_horizontal_whole = 0.0;
   double maximum_vertical_whole = 0.0;
+  double minimum_horizontal_whole = 0.0;
+  double minimum_vertical_whole = 0.0;
   int n_breaks = 0;
   BreakCounts breaks;
   model::SheetSolves sheets;

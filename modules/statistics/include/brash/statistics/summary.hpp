@@ -23,7 +23,8 @@ struct Summary {
   double standard_deviation = 0.0;  ///< with n - 1
   double minimum = 0.0;
   double maximum = 0.0;
-  double skewness = 0.0;  ///< m3 / m2^1.5 of central moments with n; 0 for a constant history
+  double skewness = 0.0;    ///< m3 / m2^1.5 of central moments with n; 0 for a constant history
+  double quantile_1 = 0.0;  ///< the end of the larger loads where they are negative
   double quantile_50 = 0.0;
   double quantile_95 = 0.0;
   double quantile_99 = 0.0;
