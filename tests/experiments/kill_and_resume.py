@@ -21,7 +21,8 @@ def main():
     brash, case, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
     n_kills = int(sys.argv[4]) if len(sys.argv) > 4 else 3
     shutil.rmtree(folder, ignore_errors=True)
-    command = [brash, "run", case, "--set", "time.duration=4", "--set", "output.checkpoint_interval=0.2", "-o"]
+    command = [brash, "run", case, "--set", "time.duration=4", "--set", "output.statistics_from=0", "--set",
+               "output.checkpoint_interval=0.2", "-o"]
 
     start = time.monotonic()
     subprocess.run([*command, folder / "whole"], check=True, stdout=subprocess.DEVNULL)

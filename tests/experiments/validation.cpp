@@ -11,7 +11,7 @@ using namespace brash;
 
 const model::Case& validation_case() {
   static const model::Case resolved =
-      io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"time.duration=6"});
+      io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml", {"time.duration=6"});
   return resolved;
 }
 

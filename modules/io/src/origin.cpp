@@ -27,6 +27,7 @@ bool is_changed(const toml::table& tree, const std::string& preset, const std::s
                 const OrderedJson& key_schema) {
   const toml::node* const node = tree[section][key].node();
   if (node == nullptr) return false;  // an earlier version wrote the case and did not know the key
+  if (!Schema::has_default(key_schema, preset)) return false;
   const auto value = json_value(*node, key_schema);
   return !value || *value != Json::parse(Schema::default_in(key_schema, preset).dump());
 }

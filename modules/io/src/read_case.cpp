@@ -132,6 +132,15 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (is_plate && by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
+/// Likewise of the engine, where another key needs the program's own.
+void drop_engine_not_taken(model::Case& c, const CaseSource& source) {
+  if (source.tree["contact"]["engine"].node() != nullptr) return;
+  const bool drifts = c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFree;
+  const bool by_direction = c.hydrodynamics.added_mass_law == model::AddedMassLaw::kPlate;
+  if (drifts || by_direction || c.water.depth || c.contact.restitution > 0.0)
+    c.contact.engine = model::ContactEngine::kBrash;
+}
+
 std::string name_of_case(const std::string& path) {
   // "...toml" would name its results "..".
   const std::string name = std::filesystem::path(path).stem().string();
@@ -155,6 +164,7 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
   result.name = name;
   for (const FileKey& file : file_keys(result)) resolve_file(file, source);
   drop_options_not_taken(result, source);
+  drop_engine_not_taken(result, source);
   drop_water_laws_not_taken(result, source);
   drop_initial_crack_of_files(result, source);
   std::vector<Problem> problems;
@@ -167,10 +177,12 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
 
 std::vector<std::string> keys_set_by_preset(const std::string& path, const std::vector<std::string>& overrides) {
   const CaseSource source = parse_source(read_case_text(path), path, overrides);
+  const std::string preset = source.tree["algorithm"]["preset"].value_or(std::string());
   std::vector<std::string> keys;
   for (const auto& [section, part] : schema_of_cases().sections().items())
     for (const auto& [key, key_schema] : part.at("properties").items())
-      if (key_schema.contains("x-presets") && source.tree[section][key].node() == nullptr)
+      if (key_schema.contains("x-presets") && Schema::has_default(key_schema, preset) &&
+          source.tree[section][key].node() == nullptr)
         keys.push_back(section + "." + key);
   return keys;
 }

@@ -66,10 +66,20 @@ std::string Schema::preset_of(const nlohmann::json& document) const {
   return document.value("algorithm", nlohmann::json::object()).value("preset", key.at("default").get<std::string>());
 }
 
+namespace {
+
+bool is_set_by(const OrderedJson& key_schema, const std::string& preset) {
+  return key_schema.contains("x-presets") && key_schema.at("x-presets").contains(preset);
+}
+
+}  // namespace
+
+bool Schema::has_default(const OrderedJson& key_schema, const std::string& preset) {
+  return key_schema.contains("default") || is_set_by(key_schema, preset);
+}
+
 const OrderedJson& Schema::default_in(const OrderedJson& key_schema, const std::string& preset) {
-  if (key_schema.contains("x-presets") && key_schema.at("x-presets").contains(preset))
-    return key_schema.at("x-presets").at(preset);
-  return key_schema.at("default");
+  return is_set_by(key_schema, preset) ? key_schema.at("x-presets").at(preset) : key_schema.at("default");
 }
 
 OrderedJson Schema::of_kind(const OrderedJson& key_schema, const std::string& kind) {

@@ -35,7 +35,9 @@ class Schema {
   static OrderedJson of_kind(const OrderedJson& key_schema, const std::string& kind);
   /// The line that takes the place of a key with this name in earlier versions; "" without one.
   std::string successor(const std::string& section, const std::string& key) const;
-  /// The default of a key under a preset.
+  /// Whether a key has a default under a preset.
+  static bool has_default(const OrderedJson& key_schema, const std::string& preset);
+  /// The default of a key under a preset, one that it has.
   static const OrderedJson& default_in(const OrderedJson& key_schema, const std::string& preset);
   bool requires_section(const std::string& section) const;
   /// Whether a section whose key `kind` has this value lacks something without the key.

@@ -296,7 +296,7 @@ class Reader {
     for (const std::string& section : names(schema_.sections())) {
       if (!has_keys(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items())
-        if (has_key(section, key) && !document_[section].contains(key) && key_schema.contains("default"))
+        if (has_key(section, key) && !document_[section].contains(key) && Schema::has_default(key_schema, preset))
           document_[section][key] =
               Json::parse(Schema::default_in(Schema::of_kind(key_schema, kind_of(section)), preset).dump());
     }

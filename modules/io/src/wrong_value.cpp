@@ -48,7 +48,7 @@ Problem wrong_value(const CaseSource& source, const std::string& section, const 
                   "",
                   "change the value"};
   const std::string preset = source.tree["algorithm"]["preset"].value_or(std::string());
-  if (key_schema.contains("default"))
+  if (Schema::has_default(key_schema, preset))
     problem.remedy +=
         fmt::format(", or remove the line to take the default {}", toml_text(Schema::default_in(key_schema, preset)));
   if (key_schema.contains("enum") && value.is_string()) {

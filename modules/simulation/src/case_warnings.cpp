@@ -158,6 +158,8 @@ std::string when_they_begin(const model::Case& c, const Course& course, const St
 /// Statistics that begin by output.statistics_from before the load is that of ice which the structure breaks.
 void add_early_warning(const model::Case& c, const Course& course, double radius, Warnings& warnings) {
   if (!comes_at_its_speed(c) || !c.output.statistics_from) return;
+  const bool of_paper = c.algorithm.preset == model::Preset::kPaper;
+  if (of_paper && *c.output.statistics_from == 0.0) return;  // the preset's own choice
   const double from = *c.output.statistics_from, contact = -course.bow / course.speed;
   const double past_crack = (radius - course.axis) / course.speed;
   if (from < contact)
@@ -166,7 +168,7 @@ void add_early_warning(const model::Case& c, const Course& course, double radius
                                          "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
                                          "or leave it out",
                                          from, contact)});
-  else if (has_initial_crack(c) && from < past_crack && c.algorithm.preset != model::Preset::kPaper)
+  else if (has_initial_crack(c) && from < past_crack && !of_paper)
     warnings.push_back(
         {"early-statistics",
          fmt::format("the statistics begin at {:.3g} s, and the structure has passed the floes of the initial crack at "

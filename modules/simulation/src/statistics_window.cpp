@@ -73,10 +73,7 @@ bool has_initial_crack(const model::Case& c) {
   return c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack;
 }
 
-/// The paper begins at the ice edge.
-double place_of_begin(const model::Case& c, double radius) {
-  return has_initial_crack(c) && c.algorithm.preset != model::Preset::kPaper ? radius : 0.0;
-}
+double place_of_begin(const model::Case& c, double radius) { return has_initial_crack(c) ? radius : 0.0; }
 
 namespace {
 

@@ -30,6 +30,16 @@ start_distance = 7
 length = 50
 width = 50
 initial_crack = false
+[failure]
+crushed_ice = "leaves"
+pressure = "edge"
+[contact]
+engine = "brash"
+area = "surface"
+crushing_bound = "all"
+[hydrodynamics]
+drag = "surface"
+added_mass_law = "isotropic"
 [time]
 duration = 0.8
 [output]

@@ -81,13 +81,67 @@ BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
                                       "failure.edge",
                                       "failure.judged",
                                       "failure.pattern",
+                                      "failure.pressure",
+                                      "failure.length_density",
+                                      "failure.small_contact",
+                                      "failure.crushed_ice",
                                       "failure.pieces",
                                       "failure.lateness",
+                                      "contact.engine",
+                                      "contact.area",
+                                      "contact.crushing_bound",
+                                      "contact.iterations",
+                                      "contact.floe_stress",
+                                      "hydrodynamics.drag",
+                                      "hydrodynamics.drag_travel",
                                       "hydrodynamics.form_drag_along",
+                                      "hydrodynamics.skin_friction",
                                       "hydrodynamics.added_mass_law",
                                       "hydrodynamics.ventilation",
-                                      "hydrodynamics.structure_flow"};
+                                      "hydrodynamics.structure_flow",
+                                      "output.statistics_from"};
   BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
+}
+
+BOOST_AUTO_TEST_CASE(the_preset_paper_is_the_literal_reading_of_decision_39) {
+  const Case c = read_case(kValidation);
+  BOOST_TEST((c.contact.area == ContactArea::kProjected && c.contact.crushing_bound == CrushingBound::kLevelIce));
+  BOOST_TEST((c.contact.floe_stress == model::FloeStress::kStep && c.contact.engine == ContactEngine::kBullet));
+  BOOST_TEST(c.contact.iterations == 10);
+  const FailureSection& f = c.failure;
+  BOOST_TEST((f.crushed_ice == CrushedIce::kStays && f.pressure == EdgePressure::kContact));
+  BOOST_TEST((f.small_contact == SmallContact::kKeepsPressure && f.length_density == LengthDensity::kIce));
+  const HydrodynamicsSection& h = c.hydrodynamics;
+  BOOST_TEST((h.added_mass_law == AddedMassLaw::kNone && h.drag == DragLaw::kPaper));
+  BOOST_TEST((h.skin_friction == 0.0 && h.drag_travel == 0.0));
+  BOOST_TEST((c.output.statistics_from == 0.0));
+  BOOST_TEST((!read_case(kValidation, {"algorithm.preset=brash"}).output.statistics_from));
+}
+
+BOOST_AUTO_TEST_CASE(the_engine_of_the_preset_paper_gives_way_to_what_it_does_not_know) {
+  for (const char* const key :
+       {"field.border=free", "water.depth=5", "contact.restitution=0.2", "hydrodynamics.added_mass_law=plate"}) {
+    BOOST_TEST((read_case(kValidation, {key}).contact.engine == ContactEngine::kBrash));
+    BOOST_CHECK_THROW(read_case(kValidation, {key, "contact.engine=bullet"}), InputError);
+  }
+}
+
+/// They have their values from before that decision.
+BOOST_AUTO_TEST_CASE(the_second_reading_differs_from_the_validation_case_in_the_keys_of_decision_39_alone) {
+  const Case earlier = read_case(std::string(BRASH_SOURCE_DIR) + "/experiments/validation/second_reading.toml");
+  Case same = read_case(kValidation);
+  same.name = earlier.name;
+  same.contact = ContactSection{};
+  same.hydrodynamics = {.form_drag_along = FormDragAlong::kVelocity,
+                        .added_mass_law = AddedMassLaw::kIsotropic,
+                        .ventilation = false,
+                        .structure_flow = false};
+  same.failure.crushed_ice = CrushedIce::kLeaves;
+  same.failure.pressure = EdgePressure::kEdge;
+  same.failure.small_contact = SmallContact::kKeepsForce;
+  same.failure.length_density = LengthDensity::kWater;
+  same.output.statistics_from = 7.0 / 1.202;
+  BOOST_TEST((earlier == same));
 }
 
 BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out) {
@@ -103,7 +157,6 @@ BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out)
 BOOST_AUTO_TEST_CASE(readings_of_the_meta_model_need_a_network) {
   const auto failure_of = [](std::vector<std::string> keys) { return read_case(kValidation, keys).failure; };
   BOOST_TEST((failure_of({"failure.pressure=contact"}).pressure == EdgePressure::kContact));
-  BOOST_TEST((failure_of({}).pressure == EdgePressure::kEdge));
   BOOST_TEST((failure_of({"failure.small_contact=keeps-pressure"}).small_contact == SmallContact::kKeepsPressure));
   BOOST_TEST((failure_of({"failure.length_density=ice"}).length_density == LengthDensity::kIce));
   for (const char* const key : {"failure.pressure=contact", "failure.length_density=ice"})
@@ -119,7 +172,7 @@ BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other
   BOOST_TEST((all.added_mass_law == AddedMassLaw::kPlate && all.form_drag_along == FormDragAlong::kNormal));
   BOOST_TEST((all.ventilation && all.structure_flow));
   const HydrodynamicsSection paper = read_case(kValidation).hydrodynamics;
-  BOOST_TEST((paper.added_mass_law == AddedMassLaw::kIsotropic && paper.form_drag_along == FormDragAlong::kVelocity));
+  BOOST_TEST((paper.added_mass_law == AddedMassLaw::kNone && paper.form_drag_along == FormDragAlong::kVelocity));
   BOOST_TEST((!paper.ventilation && !paper.structure_flow));
 
   BOOST_TEST((water_of({"hydrodynamics.drag=paper"}).form_drag_along == FormDragAlong::kVelocity));
@@ -159,6 +212,8 @@ BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   validation.algorithm = c.algorithm;
   validation.failure = c.failure;
   validation.hydrodynamics = c.hydrodynamics;
+  validation.contact = c.contact;
+  validation.output = c.output;
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();

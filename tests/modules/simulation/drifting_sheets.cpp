@@ -24,7 +24,10 @@ using simulation::DriftingSheets;
 
 model::Case free_case(std::vector<std::string> overrides = {}) {
   overrides.emplace_back("field.border=free");
-  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
+  const bool is_default = std::ranges::find(overrides, "algorithm.preset=brash") != overrides.end();
+  if (is_default) return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
+  overrides.insert(overrides.begin(), "output.statistics_from=0");
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml", overrides);
 }
 
 /// A rectangle from (0, 0) to (a, b).
@@ -335,9 +338,10 @@ BOOST_AUTO_TEST_CASE(the_structure_gives_a_sheet_the_momentum_that_the_sheet_tak
 
 BOOST_AUTO_TEST_CASE(a_sheet_with_far_borders_has_the_loads_of_the_fixed_sheet_up_to_the_first_break) {
   const auto start = [](const std::string& border) {
-    return simulation::Simulation(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
-                                                {"time.duration=3", "field.initial_crack=false",
-                                                 "field.border=" + border, "field.length=4000", "field.width=4000"}));
+    return simulation::Simulation(
+        io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml",
+                      {"time.duration=3", "output.statistics_from=0", "field.initial_crack=false",
+                       "field.border=" + border, "field.length=4000", "field.width=4000"}));
   };
   simulation::Simulation fixed = start("fixed"), drifting = start("free");
   double largest = 0.0, apart = 0.0;

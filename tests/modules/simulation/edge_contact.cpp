@@ -34,7 +34,7 @@ class Listening final : public failure::BendingCriterion {
 };
 
 struct Scene {
-  model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
+  model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml", {});
   std::unique_ptr<const structure::Hull> hull = structure::make_hull(resolved.structure.shape);
   failure::IceProperties ice = simulation::ice_properties(resolved);
   brash::ice::Field field{resolved.field, ice};

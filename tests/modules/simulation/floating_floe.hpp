@@ -16,7 +16,7 @@ namespace brash::simulation::testing {
 
 /// The ice and the water of the validation case: 0.33 m of 900 kg/m3 on 1025 kg/m3.
 inline model::Case ice_and_water(const std::vector<std::string>& overrides = {}) {
-  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml", overrides);
 }
 
 inline std::vector<std::string> without_drag() {

@@ -14,7 +14,8 @@
 
 namespace brash::simulation::testing {
 
-inline const std::string kValidation = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
+/// With the laws of contact and water that most tests of floes have known answers for.
+inline const std::string kValidation = BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml";
 
 /// Floes of the validation case, without sheet and structure.
 struct Pool {

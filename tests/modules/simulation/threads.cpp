@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 /// The validation case, cut short: it sees dozens of breaks.
 model::Case short_case() {
-  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"time.duration=5"});
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml",
+                       {"time.duration=5", "output.statistics_from=0"});
 }
 
 /// Of the files that a run leaves.

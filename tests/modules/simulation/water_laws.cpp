@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(accelerated_water_pushes_a_tilted_floe_at_the_centre_of_the
 model::Case short_case(std::vector<std::string> overrides, double duration) {
   overrides.insert(overrides.end(), {"algorithm.preset=brash", "failure.model=superposition",
                                      "time.duration=" + std::to_string(duration)});
-  return io::read_case(kValidation, overrides);
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
 }
 
 BOOST_AUTO_TEST_CASE(ice_that_drifts_loads_a_structure_at_rest_as_a_structure_that_moves_loads_itself) {
