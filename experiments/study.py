@@ -2,7 +2,7 @@
 """Tools of the experiments that are campaigns: they run a plan, collect its numbers, record and check them.
 
 An experiment is a folder with `plan.toml`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
-setting) and `quick.csv` (the reference of the tests). They are of the preset `paper`; the folder `brash` has the default's.
+setting) and `quick.csv` (the reference of the tests). They are of the preset `paper`; folders within have other SERIES.
 """
 import argparse
 import csv
@@ -21,7 +21,10 @@ ROOT = Path(__file__).resolve().parents[1]
 LOWEST, HIGHEST, HIGH = 0.5, 20.0, 2.0  # Hz, band of the mean frequency; from where on frequencies count as high
 SEGMENT = 2.0  # s, of the spectra
 QUICK_SEEDS = 8  # recorded for the quick mode
-PRESETS = ["paper", "brash"]
+# Series of recorded runs, and their folders within an experiment: the preset `paper` with runs of 20 s (plan_20s.toml), as
+# the paper has them, and with equal travel (plan.toml); its second reading (docs/decisions/0039), which was the preset in
+# version 0.3.0, with equal travel; the default with equal travel.
+SERIES = {"paper-20s": "20s", "paper": ".", "second-reading": "second_reading", "brash": "brash"}
 
 
 def program(text):
@@ -37,14 +40,20 @@ def arguments(description, presets=False):
     parser.add_argument("--quick", action="store_true", help="the plan's small variant, compared with quick.csv")
     parser.add_argument("--record", action="store_true", help="also rewrite the recorded numbers and pictures")
     if presets:
-        parser.add_argument("--preset", choices=PRESETS, default="paper", help="algorithm.preset [paper]")
+        parser.add_argument("--preset", choices=["paper", "brash"], default="paper", help="algorithm.preset [paper]")
+        parser.set_defaults(plan="plan.toml")
         parser.add_argument("--replicates", type=int, help="of each setting [the plan's]")
     return parser
 
 
+def series_of(options):
+    """The name of the series that the command line asks for."""
+    return options.preset + "-20s" * (options.plan == "plan_20s.toml")
+
+
 def results_folder(options, name):
     """Where the campaign of an experiment with presets goes."""
-    return options.output or Path("results") / (f"{name}-quick" if options.quick else f"{name}-{options.preset}")
+    return options.output or Path("results") / f"{name}-{'quick' if options.quick else series_of(options)}"
 
 
 def brash_module():
@@ -77,9 +86,9 @@ def preset_campaign(options, plan, output):
              overrides=[f"algorithm.preset={json.dumps(options.preset)}"])
 
 
-def recorded(experiment, preset="paper"):
-    """The recorded rows of an experiment with a preset."""
-    return ROOT / "experiments" / experiment / ("." if preset == "paper" else preset) / "recorded.csv"
+def recorded(experiment, series="paper"):
+    """The recorded rows of an experiment."""
+    return ROOT / "experiments" / experiment / SERIES[series] / "recorded.csv"
 
 
 def read_rows(path):
@@ -246,22 +255,27 @@ def quick(options, folder, output):
 
 
 def main(folder, keys, columns, draw, description):
-    """Runs an experiment from its command line; `draw(rows, closed, output, folder)` makes its pictures in `folder`."""
-    options = arguments(description, presets=True).parse_args()
+    """Runs an experiment from its command line; `draw(rows, closed, output, folder, series)` makes its pictures in `folder`."""
+    parser = arguments(description, presets=True)
+    parser.add_argument("--20s", action="store_const", dest="plan", const="plan_20s.toml", help="runs of 20 s, not of equal travel")
+    options = parser.parse_args()
     output = results_folder(options, folder.name)
     if options.quick and options.record:
         record_quick(options.brash, folder, output)
         return 0
     if options.quick:
         return quick(options, folder, output)
-    preset_campaign(options, folder / "plan.toml", output)
+    preset_campaign(options, folder / options.plan, output)
     rows, closed = collect(options.brash, output), closed_forms(options.brash, output, keys)
     print_table(rows, columns)
-    target = recorded(folder.name, options.preset).parent if options.record else output
+    series = series_of(options)
+    if options.record and series not in SERIES:
+        sys.exit(f"--record: no series {series} is kept; found --preset {options.preset} --20s, allowed is one of the two")
+    target = recorded(folder.name, series).parent if options.record else output
     if options.record:
         target.mkdir(exist_ok=True)
         write_rows(target / "recorded.csv", rows)
         write_rows(folder / "closed_forms.csv", closed)
-    draw(rows, closed, output, target)
+    draw(rows, closed, output, target, series)
     print(f"pictures in {target}")
     return 0

@@ -22,8 +22,8 @@ COLUMNS = {"horizontal.mean": "mean horizontal force [kN]", "vertical.mean": "me
            "mean_frequency": "mean frequency [Hz]", "breaking_length_quantiles.50": "breaking length, median [m]"}
 
 
-def draw(rows, closed, output, folder):
-    between = study.read_rows(study.recorded("velocity", "brash" if folder.name.endswith("brash") else "paper"))
+def draw(rows, closed, output, folder, series):
+    between = study.read_rows(study.recorded("velocity", series))
     rows = rows + [{**row, ANGLE: math.radians(61.4)} for row in between]
     figure, axes = figures.plt.subplots(1, len(COLUMNS), figsize=(14, 3.6), constrained_layout=True)
     shades = figures.plt.get_cmap("viridis")
