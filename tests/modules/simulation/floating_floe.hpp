@@ -15,7 +15,8 @@
 namespace brash::simulation::testing {
 
 /// The ice and the water of the validation case: 0.33 m of 900 kg/m3 on 1025 kg/m3.
-inline model::Case ice_and_water(const std::vector<std::string>& overrides = {}) {
+inline model::Case ice_and_water(std::vector<std::string> overrides = {}) {
+  overrides.insert(overrides.begin(), "output.statistics_from=0");
   return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/second_reading.toml", overrides);
 }
 

@@ -146,11 +146,11 @@ BOOST_AUTO_TEST_CASE(no_first_crack_opens_where_the_course_misses_the_sheet) {
 
 BOOST_AUTO_TEST_CASE(statistics_begin_when_the_last_leg_is_in_the_ice) {
   const std::string legs = "legs = [[0, 6], [0, -6], [-9, 6], [-9, -6]]\n";
-  BOOST_TEST(simulation::statistics_window(case_of(kTow + legs, 20.0), 0.0).from == 13.0 / 1.2,
+  BOOST_TEST(simulation::statistics_window(case_of(kTow + legs, 20.0, "brash"), 0.0).from == 13.0 / 1.2,
              boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(simulation::statistics_window(case_of(kTow, 20.0), 0.0).from == 4.0 / 1.2);
+  BOOST_TEST(simulation::statistics_window(case_of(kTow, 20.0, "brash"), 0.0).from == 4.0 / 1.2);
   // Turned by a quarter, two of the legs are 6 m behind.
-  const model::Case turned = case_of("motion.path = [[0, -12, 0, 1.5708], [20, 12, 0, 1.5708]]\n" + legs, 20.0);
+  const model::Case turned = case_of("motion.path = [[0, -12, 0, 1.5708], [20, 12, 0, 1.5708]]\n" + legs, 20.0, "brash");
   BOOST_TEST(simulation::statistics_window(turned, 0.0).from == 18.0 / 1.2, boost::test_tools::tolerance(0.01));
 }
 
