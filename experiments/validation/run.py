@@ -45,6 +45,16 @@ def smooth_peaks(history, start):
     return {"smooth_quantile_99": float(np.quantile(smooth, 0.99)), "smooth_maximum": float(smooth.max())}
 
 
+def energies(summary):
+    """Work of the structure [J], and where it went: the sheet's edge, contacts, friction, water."""
+    energy = summary["energy"]
+    losses = energy["losses"]
+    of_contacts = [value for name, value in losses.items() if name.endswith("_contact")]
+    of_friction = [losses[name] for name in ("structure_friction", "sheet_friction", "floe_friction")]
+    return {"energy.work": energy["work"], "energy.losses.edge": losses["edge"], "energy.losses.contacts": sum(of_contacts),
+            "energy.losses.friction": sum(of_friction), "energy.losses.water": losses["drag"] + losses["skin_friction"]}
+
+
 def print_results(rows, closed):
     for setting in dict.fromkeys(row["setting"] for row in rows):
         chosen = [row for row in rows if row["setting"] == setting]
@@ -119,8 +129,8 @@ def main():
     rows, closed = study.collect(options.brash, output), study.closed_forms(options.brash, output, [])
     for row in rows:
         folder = output / "cases" / row["case"]
-        start = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["statistics_from"]
-        row.update(smooth_peaks(folder / "history.csv", start))
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        row.update({**smooth_peaks(folder / "history.csv", summary["statistics_from"]), **energies(summary)})
     print_results(rows, closed)
     target = HERE if options.record else output
     name = "ensemble" if options.plan == "plan.toml" else Path(options.plan).stem
