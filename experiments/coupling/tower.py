@@ -18,14 +18,14 @@ from scipy.linalg import expm
 
 from fmu_host import Unit
 
-CASE = pathlib.Path(__file__).resolve().parents[1] / "validation/cone.toml"
+CASE = pathlib.Path(__file__).resolve().parents[1] / "validation/second_reading.toml"
 SPEED, START, STEP = 1.202, -7.0, 0.01  # of the case: [m/s], [m], [s]
 MASS, STIFFNESS, DAMPING = 1e6, 8e6, 3e5  # of the tower: [kg], [N/m], [N s/m]
 TOWER = {"structure.motion.mass": MASS, "structure.motion.stiffness": STIFFNESS, "structure.motion.damping": DAMPING}
 
 
 def brash(options, *arguments, **sets):
-    pairs = [f"{key.replace('__', '.')}={value}" for key, value in sets.items()]
+    pairs = [f"{key.replace('__', '.')}={value}" for key, value in {"output__statistics_from": 0, **sets}.items()]
     subprocess.run([options.brash, *map(str, arguments), *[word for pair in pairs for word in ("--set", pair)]],
                    check=True, stdout=subprocess.DEVNULL)
 

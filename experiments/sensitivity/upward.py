@@ -19,7 +19,7 @@ import netCDF4
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-CASE = HERE.parent / "validation" / "cone.toml"
+CASE = HERE.parent / "validation" / "second_reading.toml"
 GRAVITY = 9.80665
 COLUMNS = ["seed", "horizontal", "crushing", "floes", "quantile_99", "maximum", "vertical", "ride_weight",
            "ride_load"]

@@ -33,8 +33,8 @@ NO_CHANGE = 1e-6
 
 
 def simulate(brash, folder, case, step):
-    command = [brash, "run", ROOT / "experiments" / "validation" / "cone.toml", "-o", folder, "--replace"]
-    for override in UNBROKEN + CASES[case] + [f"time.step={step}", f"time.duration={DURATION}"]:
+    command = [brash, "run", ROOT / "experiments" / "validation" / "second_reading.toml", "-o", folder, "--replace"]
+    for override in UNBROKEN + CASES[case] + ["output.statistics_from=0", f"time.step={step}", f"time.duration={DURATION}"]:
         command += ["--set", override]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     with open(folder / "history.csv", newline="", encoding="utf-8") as file:

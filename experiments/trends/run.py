@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
-Reads the recorded numbers of the experiments beside this one, and runs only `brash trend`. It takes both presets.
-README.md lists the claims and their verdicts. Holm's method adjusts the p-values of a preset together.
+Reads the recorded numbers of the experiments beside this one, and runs only `brash trend`. It takes every series of
+study.SERIES. README.md lists the claims and their verdicts. Holm's method adjusts the p-values of a series together.
 """
 import argparse
 import csv
@@ -28,18 +28,19 @@ NEARLY = 0.10  # "nearly independent"
 PAPER_RATIO = 0.491
 ANGLE, SPEED, WIDTH, THICKNESS = "structure.angle", "structure.speed", "structure.waterline_width", "ice.thickness"
 FORCE, VERTICAL = "horizontal.mean", "vertical.mean"
+PARTS = {"crushing": ["crushing"], "floes": ["floe_normal", "floe_friction"]}  # of FORCE
 LENGTH, AREA = "breaking_length_quantiles.50", "piece_area_quantiles.50"
 FREQUENCY, CONTENT = "mean_frequency", "high_frequency_deviation"
 
 
 class Runs:
-    """Recorded numbers of one preset."""
+    """Recorded numbers of one series."""
 
-    def __init__(self, brash, preset):
-        self.brash, self.preset = brash, preset
+    def __init__(self, brash, series):
+        self.brash, self.series = brash, series
 
     def path(self, experiment):
-        return study.recorded(experiment, self.preset)
+        return study.recorded(experiment, self.series)
 
     def rows(self, experiment):
         return study.read_rows(self.path(experiment))
@@ -66,10 +67,10 @@ def interval(value, error, freedom, confidence=0.95):
 
 
 class Claim:
-    """A trend with its p-value, and the meaning of its value if it is significant."""
+    """A trend with its p-value, the meaning of its value if it is significant, and the change of each part of the mean load."""
 
-    def __init__(self, experiment, text, p, effect, holds):
-        self.experiment, self.text, self.p, self.effect, self.holds = experiment, text, p, effect, holds
+    def __init__(self, experiment, text, p, effect, holds, parts=""):
+        self.experiment, self.text, self.p, self.effect, self.holds, self.parts = experiment, text, p, effect, holds, parts
 
     def verdict(self, adjusted):
         return "undecided" if adjusted >= ALPHA else "confirmed" if self.holds else "refuted"
@@ -81,6 +82,14 @@ def change_text(a, b):
     return f"{(np.mean(b) / np.mean(a) - 1) * 100:+.0f} % ({low:+.0f} to {high:+.0f})"
 
 
+def parts_text(rows, along):
+    """Last less first in each part of the mean load [kN]."""
+    def change(causes):
+        values = [list(study.groups(rows, along, f"{FORCE}_by_cause.{cause}").values()) for cause in causes]
+        return sum(np.mean(groups[-1]) - np.mean(groups[0]) for groups in values) / 1e3
+    return ", ".join(f"{name} {change(causes):+.0f}" for name, causes in PARTS.items())
+
+
 def monotone(runs, experiment, text, along, of, where="", rises=True):
     """Jonckheere and Terpstra's test by the program; refuted when the opposite is significant."""
     command = [str(runs.brash), "trend", str(runs.path(experiment)), "--along", along, "--of", of, "--json"]
@@ -90,17 +99,19 @@ def monotone(runs, experiment, text, along, of, where="", rises=True):
     rows = [row for row in runs.rows(experiment) if fnmatch(row["setting"], where or "*")]
     values = study.groups(rows, along, of)
     groups = list(values.values())
-    return Claim(experiment, text, test["p"], change_text(groups[0], groups[-1]), (test["z"] > 0) == rises)
+    parts = parts_text(rows, along) if of == FORCE else ""
+    return Claim(experiment, text, test["p"], change_text(groups[0], groups[-1]), (test["z"] > 0) == rises, parts)
 
 
-def flat(experiment, text, groups, margin):
+def flat(experiment, text, rows, along, margin):
     """Two one-sided tests that last over first is within the margin; refuted when it is outside of it."""
+    groups = list(study.groups(rows, along, FORCE).values())
     value, error, freedom = log_ratio(groups[-1], groups[0])
     low, high = math.log1p(-margin), math.log1p(margin)
     inside = max(stats.t.sf((value - low) / error, freedom), stats.t.sf((high - value) / error, freedom))
     outside = min(1.0, 2 * min(stats.t.sf((low - value) / error, freedom), stats.t.sf((value - high) / error, freedom)))
     holds = inside <= outside
-    return Claim(experiment, text, min(inside, outside), change_text(groups[0], groups[-1]), holds)
+    return Claim(experiment, text, min(inside, outside), change_text(groups[0], groups[-1]), holds, parts_text(rows, along))
 
 
 def steepens(experiment, text, groups, knee):
@@ -151,21 +162,22 @@ def of_angles_and_speeds(runs):
 
     at_50, at_70 = (ends(grid, structure__angle=math.radians(degrees)) for degrees in (50, 70))
     at_61 = ends(runs.rows("velocity"))
-    slow = list(study.groups(grid, ANGLE, FORCE, structure__speed=0.5).values())
+    shallow = [row for row in grid if math.isclose(row[ANGLE], math.radians(50))]
+    slow = [row for row in grid if row[SPEED] == 0.5]
     return [
-        flat("angle_velocity", f"at 50 deg the speed has little influence (< {LITTLE:.0%})", at_50, LITTLE),
+        flat("angle_velocity", f"at 50 deg the speed has little influence (< {LITTLE:.0%})", shallow, SPEED, LITTLE),
         monotone(runs, "angle_velocity", "at 70 deg the mean rises with the speed", SPEED, FORCE, "angle-70deg_*"),
         stronger("angle_velocity", "the speed acts more at 61.4 than at 50 deg", at_61, at_50),
         stronger("angle_velocity", "the speed acts more at 70 than at 50 deg", at_70, at_50),
-        flat("angle_velocity", f"at 0.5 m/s the angle has little influence (< {LITTLE:.0%})", slow, LITTLE),
+        flat("angle_velocity", f"at 0.5 m/s the angle has little influence (< {LITTLE:.0%})", slow, ANGLE, LITTLE),
         monotone(runs, "angle_velocity", "at 2.0 m/s the mean rises with the angle", ANGLE, FORCE, "*_speed-2.0"),
     ]
 
 
 def of_widths(runs):
-    widths = list(study.groups(runs.rows("waterline_width"), WIDTH, FORCE).values())
+    text = f"the horizontal mean is nearly independent of the width (< {NEARLY:.0%})"
     return [
-        flat("waterline_width", f"the horizontal mean is nearly independent of the width (< {NEARLY:.0%})", widths, NEARLY),
+        flat("waterline_width", text, runs.rows("waterline_width"), WIDTH, NEARLY),
         monotone(runs, "waterline_width", "the vertical mean rises with the width", WIDTH, VERTICAL),
     ]
 
@@ -197,8 +209,11 @@ def ratio_row(runs):
     value, error, freedom = log_ratio(groups[0], groups[-1])
     low, high = (math.exp(x) for x in interval(value, error, freedom))
     excluded = "excluded" if not low <= PAPER_RATIO <= high else "not excluded"
-    return f"| `{runs.preset}` | {math.exp(value):.3f} | {low:.3f} to {high:.3f} | {excluded} |"
+    return f"| {NAMES[runs.series]} | {math.exp(value):.3f} | {low:.3f} to {high:.3f} | {excluded} |"
 
+
+# Of the series, in the page.
+NAMES = {"paper-20s": "literal, 20 s", "paper": "literal, equal travel", "second-reading": "second reading", "brash": "`brash`"}
 
 # What the exponents are of: experiment, input and its range in words.
 EXPONENTS = [("velocity", SPEED, "speed, 0.5 to 2 m/s"), ("waterline_width", WIDTH, "width, 10.9 to 16.3 m"),
@@ -218,7 +233,7 @@ def exponent_rows(run):
         for of, column in (("mean load", FORCE), ("breaking length", LENGTH), ("piece area", AREA)):
             for runs in run:
                 slope, half = exponent(runs.rows(experiment), along, column)
-                yield {"input": name, "of": of, "from": runs.preset, "exponent": f"{slope:.2f}", "half_width": f"{half:.2f}"}
+                yield {"input": name, "of": of, "from": runs.series, "exponent": f"{slope:.2f}", "half_width": f"{half:.2f}"}
         forms = study.read_rows(study.ROOT / "experiments" / experiment / "closed_forms.csv")
         for form, (label, _, _) in figures.CLOSED.items():
             yield {"input": name, "of": "peak", "from": label, "exponent": f"{exponent(forms, along, f'{form}.horizontal')[0]:.2f}",
@@ -226,23 +241,25 @@ def exponent_rows(run):
 
 
 def claim_rows(listed):
-    """Each claim of one preset with its verdict, size and p, the p-values adjusted together."""
+    """Each claim of one series with its verdict, size and p, the p-values adjusted together."""
     adjusted = holm([claim.p for claim in listed])
     return [{"experiment": claim.experiment, "claim": claim.text, "verdict": claim.verdict(p), "last_against_first": claim.effect,
-             "p": f"{p:.2g}"} for claim, p in zip(listed, adjusted)]
+             "p": f"{p:.2g}", "parts": claim.parts} for claim, p in zip(listed, adjusted)]
 
 
 def results(brash):
     """{file: rows} of the CSV files, and the page."""
-    run = [Runs(brash, preset) for preset in study.PRESETS]
+    run = [Runs(brash, series) for series in study.SERIES]
     claims = [claim_rows([claim for of in CLAIMS for claim in of(runs)]) for runs in run]
-    lines = ["| experiment | claim |" + "".join(f" `{runs.preset}` |" for runs in run), "|---|---|" + "---|" * len(run)]
+    lines = ["| experiment | claim |" + "".join(f" {NAMES[runs.series]} |" for runs in run) + " change, literal, 20 s | of which [kN] |",
+             "|---|---|" + "---|" * len(run) + "---|---|"]
     for row in zip(*claims):
-        lines.append(f"| {row[0]['experiment']} | {row[0]['claim']} | {' | '.join(of['verdict'] for of in row)} |")
-    lines += ["", "[Sizes and p-values](claims.csv). The load at 50 degrees over the load at 70 degrees, at 2.0 m/s:", "",
-              f"| preset | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
+        verdicts = " | ".join(f"**{of['verdict']}**" for of in row)
+        lines.append(f"| {row[0]['experiment']} | {row[0]['claim']} | {verdicts} | {row[0]['last_against_first']} | {row[0]['parts']} |")
+    lines += ["", "The load at 50 degrees over the load at 70 degrees, at 2.0 m/s:", "",
+              f"| series | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
     lines += [ratio_row(runs) for runs in run]
-    tables = {"claims.csv": [{"preset": runs.preset, **row} for runs, rows in zip(run, claims) for row in rows],
+    tables = {"claims.csv": [{"series": runs.series, **row} for runs, rows in zip(run, claims) for row in rows],
               "exponents.csv": list(exponent_rows(run))}
     return tables, "\n".join(lines) + "\n"
 
