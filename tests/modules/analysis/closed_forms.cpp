@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_ship_has_the_resistance_formulas_alone) {
   BOOST_CHECK_SMALL(loads[2]["horizontal"].get<double>() - 752e3, 0.5e3);
   const std::string text = loads_text(all);
   BOOST_TEST(contains(text, "means, the resistance in level ice"));
-  BOOST_TEST(contains(text, "  bow length                  34.64 m  Riska\n"), text);
+  BOOST_TEST(contains(text, "  bow length                 34.64 m  Riska\n"), text);
   BOOST_TEST(!contains(text, "Croasdale"));
 }
 
