@@ -10,7 +10,7 @@ import numpy as np
 
 import study
 from inputs import GRAVITY, TRAVEL_SPEEDS, flat, parts_of
-from regressions import edwards, jeong, riska
+from regressions import edwards
 
 CAUSES = {"crushing": ["crushing_Fx"], "floes": ["floe_normal_Fx", "floe_friction_Fx"]}
 
@@ -136,25 +136,14 @@ def closed_forms(brash, case_file, case):
     done = subprocess.run([str(brash), "loads", str(case_file), "--json"], check=True, capture_output=True)
     found = {}
     for load in json.loads(done.stdout)["loads"]:
+        formula = load["formula"]
         if "not_applicable" in load:
             continue
-        if "Croasdale" in load["source"]:
-            found["croasdale"] = load["horizontal"]
-        elif "Ralston" in load["source"]:
+        if formula in ("Croasdale", "Lindqvist", "Riska", "Jeong"):
+            found[formula.lower()] = load["horizontal"]
+        elif formula == "Ralston":
             found["ralston_tresca" if "Tresca" in load["method"] else "ralston_johansen"] = load["horizontal"]
-        elif "Lindqvist" in load["method"] + load["source"]:
-            found["lindqvist"] = load["horizontal"]
-    if case["structure.kind"] == "ship":
-        hull = {name: case[f"hull.{name}"] for name in ("breadth", "draught")}
-        ice = {"thickness": case["ice.thickness"], "speed": speed_of(case)}
-        parabola = case["hull.breadth"] / math.tan(case["hull.waterline_angle"])  # docs/theory/structures.md, the default
-        bow = case.get("hull.bow_length", parabola)
-        midbody = case.get("hull.midbody", 0.5 * (case["hull.length"] - bow))
-        found["riska"] = riska(**hull, **ice, length=case["hull.length"], midbody=midbody, bow_length=bow,
-                               stem_angle=case["hull.stem_angle"])
-        found["jeong"] = jeong(**hull, **ice, flexural_strength=case["ice.flexural_strength"],
-                               ice_density=case["ice.density"], water_density=case["water.density"])
-    elif (case["structure.kind"], case.get("structure.breaking")) == ("cone", "upward"):
+    if (case["structure.kind"], case.get("structure.breaking")) == ("cone", "upward"):
         found["edwards"] = edwards(width=case["structure.waterline_width"], thickness=case["ice.thickness"],
                                    flexural_strength=case["ice.flexural_strength"], water_density=case["water.density"])
     return found

@@ -23,14 +23,12 @@ from scipy import stats
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-sys.path.insert(1, str(HERE.parent / "predictions"))
 import figures
-import regressions
 import study
 
 SPEED, THICKNESS = "structure.speed", "ice.thickness"
 VISCOSITY = 1.83e-6  # m2/s, sea water at 0 C (ITTC 7.5-02-01-03)
-BOW_LENGTH = 34.6  # m, of the icebreaker's waterline: icebreaker.toml
+BOW_LENGTH = 34.6  # m, of the icebreaker's waterline for Riska's formula: icebreaker.toml
 
 
 # Resistance over speed and thickness.
@@ -43,24 +41,14 @@ def open_water_friction(ship, speed, water_density):
     return 0.5 * water_density * speed**2 * coefficient * (1.7 * length * draught + volume / draught)
 
 
-def lindqvist(brash, path):
-    done = subprocess.run([str(brash), "loads", str(path), "--json"], check=True, capture_output=True)
-    return next(load["horizontal"] for load in json.loads(done.stdout)["loads"] if "Lindqvist" in load["source"])
-
-
 def formulas(brash, path):
     """Resistance of one setting by regressions and closed forms [N]."""
     case = tomllib.loads(path.read_text(encoding="utf-8"))
-    ship, ice, water = case["hull"], case["ice"], case["water"]["density"]
-    thickness, speed = ice["thickness"], case["structure"]["speed"]
-    return {"lindqvist": lindqvist(brash, path),
-            "riska": regressions.riska(
-                length=ship["length"], breadth=ship["breadth"], draught=ship["draught"], midbody=ship["midbody"],
-                bow_length=BOW_LENGTH, stem_angle=ship["stem_angle"], thickness=thickness, speed=speed),
-            "jeong": regressions.jeong(
-                breadth=ship["breadth"], draught=ship["draught"], thickness=thickness, speed=speed,
-                flexural_strength=ice["flexural_strength"], ice_density=ice["density"], water_density=water),
-            "open_water": open_water_friction(ship, speed, water)}
+    done = subprocess.run([str(brash), "loads", str(path), "--json", f"--set=hull.bow_length={BOW_LENGTH}"], check=True,
+                          capture_output=True)
+    found = {load["formula"].lower(): load["horizontal"] for load in json.loads(done.stdout)["loads"]}
+    return {**{name: found[name] for name in ("lindqvist", "riska", "jeong")},
+            "open_water": open_water_friction(case["hull"], case["structure"]["speed"], case["water"]["density"])}
 
 
 def interval_cells(name, values, unit, digits):

@@ -8,10 +8,12 @@
 #include <cmath>
 #include <utility>
 
+#include "brash/analysis/case_forms.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/standards/inputs.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
+#include "brash/structure/ship.hpp"
 
 namespace brash::analysis {
 
@@ -81,8 +83,9 @@ InputOf<standards::RalstonInput> ralston_input(const model::Case& c, standards::
   return input;
 }
 
-std::optional<standards::LindqvistInput> lindqvist_input(const model::Case& c) {
-  if (!c.hull.length) return std::nullopt;  // all keys or none
+// The inputs of the ships' formulas ask for [hull]; it has all its first five keys, or none.
+
+InputOf<standards::LindqvistInput> lindqvist_input(const model::Case& c) {
   standards::LindqvistInput input;
   input.length = *c.hull.length;
   input.breadth = *c.hull.breadth;
@@ -100,6 +103,50 @@ std::optional<standards::LindqvistInput> lindqvist_input(const model::Case& c) {
   return input;
 }
 
+InputOf<standards::RiskaInput> riska_input(const model::Case& c) {
+  const structure::Particulars ship = structure::particulars_of(c.hull);
+  if (ship.midbody < 0.0) return tl::unexpected(standards::NotApplicable{"the bow is longer than the waterline"});
+  standards::RiskaInput input;
+  input.length = ship.length;
+  input.breadth = *c.hull.breadth;
+  input.draught = *c.hull.draught;
+  input.midbody = ship.midbody;
+  input.bow_length = ship.bow;
+  input.stem_angle = *c.hull.stem_angle;
+  input.thickness = c.ice.thickness;
+  input.speed = structure::mean_speed(c.structure, c.time.duration);
+  return input;
+}
+
+InputOf<standards::JeongInput> jeong_input(const model::Case& c) {
+  standards::JeongInput input;
+  input.breadth = *c.hull.breadth;
+  input.draught = *c.hull.draught;
+  input.thickness = c.ice.thickness;
+  input.speed = structure::mean_speed(c.structure, c.time.duration);
+  input.flexural_strength = c.ice.flexural_strength;
+  input.ice_density = c.ice.density;
+  input.water_density = c.water.density;
+  return input;
+}
+
+/// A wedge of a half disc in front of a contact, loaded over one thickness from its tip.
+InputOf<standards::NevelInput> nevel_input(const model::Case& c, int wedges) {
+  if (wedges < 2) return tl::unexpected(standards::NotApplicable{"the whole half disc is no wedge: two at least"});
+  standards::NevelInput input;
+  input.wedge_angle = kPi / wedges;
+  input.loaded_length = c.ice.thickness;
+  input.thickness = c.ice.thickness;
+  input.flexural_strength = c.ice.flexural_strength;
+  input.youngs_modulus = c.ice.youngs_modulus;
+  input.water_density = c.water.density;
+  return input;
+}
+
+standards::CrushingInput crushing_input(const model::Case& c, double coefficient) {
+  return {.width = slope_of(c).width, .thickness = c.ice.thickness, .strength_coefficient = coefficient};
+}
+
 }  // namespace
 
 tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& c) {
@@ -111,16 +158,52 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
   return ralston_input(c, yield).and_then(standards::ralston);
 }
 
+tl::expected<standards::NevelLoad, standards::NotApplicable> nevel_of(const model::Case& c, int wedges) {
+  return nevel_input(c, wedges).map(standards::nevel);
+}
+
+tl::expected<standards::CrushingLoad, standards::NotApplicable> crushing_of(const model::Case& c, double coefficient) {
+  return standards::global_crushing(crushing_input(c, coefficient));
+}
+
+tl::expected<standards::RidgeInput, standards::NotApplicable> ridge_input_of(const model::Case& c) {
+  const Slope slope = slope_of(c);
+  if (!is_vertical(slope.angle))
+    return tl::unexpected(standards::NotApplicable{"the face slopes; the formulas of a ridge are for a vertical one"});
+  standards::RidgeInput input;
+  input.width = slope.width;
+  input.ice_density = c.ice.density;
+  input.water_density = c.water.density;
+  return input;
+}
+
 std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const model::Case& c) {
-  const auto input = lindqvist_input(c);
-  if (!input) return std::nullopt;
-  return standards::lindqvist(*input);
+  if (!c.hull.length) return std::nullopt;
+  return lindqvist_input(c).and_then(standards::lindqvist);
+}
+
+std::optional<tl::expected<standards::RiskaLoad, standards::NotApplicable>> riska_of(const model::Case& c) {
+  if (!c.hull.length) return std::nullopt;
+  return riska_input(c).map(standards::riska);
+}
+
+std::optional<tl::expected<standards::JeongLoad, standards::NotApplicable>> jeong_of(const model::Case& c) {
+  if (!c.hull.length) return std::nullopt;
+  return jeong_input(c).map(standards::jeong);
+}
+
+double breaking_length_of(const model::Case& c) {
+  return standards::breaking_length({.thickness = c.ice.thickness,
+                                     .youngs_modulus = c.ice.youngs_modulus,
+                                     .poisson_ratio = c.ice.poisson_ratio,
+                                     .water_density = c.water.density});
 }
 
 namespace {
 
 constexpr const char* kPeak = "peak of one breaking event";
 constexpr const char* kRarePeak = "peak, once in many years";
+constexpr const char* kMean = "mean";
 
 ordered_json refused(const char* method, const char* source, const standards::NotApplicable& why) {
   return {{"method", method}, {"source", source}, {"not_applicable", why.reason}};
@@ -146,6 +229,8 @@ constexpr const char* kNevelApplies = "narrow wedges, loaded over at most 0.6 ch
 constexpr const char* kCrushingApplies = "a vertical face of the structure's width, which crushes the ice all over it";
 constexpr const char* kLindqvistApplies =
     "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
+constexpr const char* kRiskaApplies = "merchant ships in level ice of the Baltic";
+constexpr const char* kJeongApplies = "icebreakers with a hull as that of the tests: neither its angles nor friction";
 
 ordered_json croasdale_json(const model::Case& c) {
   constexpr const char* kMethod = "elastic beam, no rubble, weight in air";
@@ -200,22 +285,15 @@ ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
 ordered_json nevel_json(const model::Case& c, int wedges) {
   const std::string method = fmt::format("one break of {} wedges, loaded over one thickness", wedges);
   constexpr const char* kSource = "Nevel 1972, narrow wedges";
-  if (wedges < 2) return refused(method.c_str(), kSource, {"the whole half disc is no wedge: two at least"});
-  standards::NevelInput input;
-  input.wedge_angle = kPi / wedges;
-  input.loaded_length = c.ice.thickness;
-  input.thickness = c.ice.thickness;
-  input.flexural_strength = c.ice.flexural_strength;
-  input.youngs_modulus = c.ice.youngs_modulus;
-  input.water_density = c.water.density;
-  const standards::NevelLoad load = standards::nevel(input);
+  const auto input = nevel_input(c, wedges);
+  if (!input) return refused(method.c_str(), kSource, input.error());
+  const standards::NevelLoad load = standards::nevel(*input);
   // Friction on the slope inclines the force by atan(mu) from its normal.
   const double slope = slope_of(c).angle;
-  if (is_vertical(slope)) return refused(method.c_str(), kSource, kBendsNothing);
   const double inclination = slope + std::atan(c.ice.friction_structure);
   if (inclination >= 0.5 * kPi) return refused(method.c_str(), kSource, {"the ice locks: tan(slope) >= 1/friction"});
   const double vertical = wedges * load.vertical;
-  ordered_json inputs = inputs_json(input, standards::kNevelInputs);
+  ordered_json inputs = inputs_json(*input, standards::kNevelInputs);
   inputs["slope"] = slope;
   inputs["friction_structure"] = c.ice.friction_structure;
   return {{"method", method},
@@ -232,8 +310,7 @@ ordered_json nevel_json(const model::Case& c, int wedges) {
 ordered_json crushing_json(const model::Case& c, double coefficient, const char* region) {
   const std::string method = fmt::format("crushing on a vertical face, C_R = {:g} MPa ({})", coefficient / 1e6, region);
   constexpr const char* kSource = "ISO 19906:2010, A.8.2.4.3.3";
-  const standards::CrushingInput input{
-      .width = slope_of(c).width, .thickness = c.ice.thickness, .strength_coefficient = coefficient};
+  const standards::CrushingInput input = crushing_input(c, coefficient);
   const auto load = standards::global_crushing(input);
   if (!load) return refused(method.c_str(), kSource, load.error());
   return {{"method", method},
@@ -246,19 +323,58 @@ ordered_json crushing_json(const model::Case& c, double coefficient, const char*
           {"inputs", inputs_json(input, standards::kCrushingInputs)}};
 }
 
-ordered_json lindqvist_json(const standards::LindqvistInput& input) {
+ordered_json lindqvist_json(const model::Case& c) {
   constexpr const char* kMethod = "ship's hull at the structure's speed";
   constexpr const char* kSource = "Lindqvist 1989";
-  const auto load = standards::lindqvist(input);
+  const auto input = lindqvist_input(c);
+  const auto load = input.and_then(standards::lindqvist);
   if (!load) return refused(kMethod, kSource, load.error());
   return {{"method", kMethod},
           {"source", kSource},
-          {"kind", "mean"},
+          {"kind", kMean},
           {"applies_to", kLindqvistApplies},
           {"horizontal", load->total},
           {"components", {{"R_c", load->crushing}, {"R_b", load->bending}, {"R_s", load->submersion}}},
           {"components_at", "zero speed"},
-          {"inputs", inputs_json(input, standards::kLindqvistInputs)}};
+          {"inputs", inputs_json(*input, standards::kLindqvistInputs)}};
+}
+
+ordered_json riska_json(const model::Case& c) {
+  constexpr const char* kMethod = "regression of Baltic ships, at the structure's speed";
+  constexpr const char* kSource = "Riska et al. 1997";
+  const auto input = riska_input(c);
+  const auto load = input.map(standards::riska);
+  if (!load) return refused(kMethod, kSource, load.error());
+  return {{"method", kMethod},
+          {"source", kSource},
+          {"kind", kMean},
+          {"applies_to", kRiskaApplies},
+          {"horizontal", load->total},
+          {"components", {{"at rest", load->at_rest}, {"by speed", load->total - load->at_rest}}},
+          {"inputs", inputs_json(*input, standards::kRiskaInputs)}};
+}
+
+ordered_json jeong_json(const model::Case& c) {
+  constexpr const char* kMethod = "regression of an icebreaker's basin tests, at the structure's speed";
+  constexpr const char* kSource = "Jeong et al. 2010";
+  const auto input = jeong_input(c);
+  const auto load = input.map(standards::jeong);
+  if (!load) return refused(kMethod, kSource, load.error());
+  return {{"method", kMethod},
+          {"source", kSource},
+          {"kind", kMean},
+          {"applies_to", kJeongApplies},
+          {"horizontal", load->total},
+          {"components", {{"buoyancy", load->buoyancy}, {"clearing", load->clearing}, {"breaking", load->breaking}}},
+          {"inputs", inputs_json(*input, standards::kJeongInputs)}};
+}
+
+/// What the numbers of the structure's formulas are.
+const char* kind_of(const model::Case& c) {
+  if (std::holds_alternative<model::Ship>(c.structure.shape)) return "means, the resistance in level ice";
+  return c.structure.legs.size() < 2
+             ? "peaks of one breaking event; of crushing, once in many years; a ship's is a mean"
+             : "peaks of one breaking event, of crushing once in many years; at one leg, as if alone";
 }
 
 }  // namespace
@@ -269,17 +385,25 @@ ordered_json closed_form_loads(const model::Case& c) {
     load["formula"] = formula;
     loads.push_back(std::move(load));
   };
-  add("Croasdale", croasdale_json(c));
-  add("Ralston", ralston_json(c, standards::Yield::kTresca));
-  add("Ralston", ralston_json(c, standards::Yield::kJohansen));
-  for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges) add("Nevel", nevel_json(c, wedges));
-  add("crushing", crushing_json(c, 1.8e6, "Baltic"));
-  add("crushing", crushing_json(c, 2.8e6, "Arctic"));
-  if (const auto hull = lindqvist_input(c)) add("Lindqvist", lindqvist_json(*hull));
-  const char* const kind = c.structure.legs.size() < 2
-                               ? "peaks of one breaking event; of crushing, once in many years; a ship's is a mean"
-                               : "peaks of one breaking event, of crushing once in many years; at one leg, as if alone";
-  return {{"case", c.name}, {"kind", kind}, {"loads", loads}};
+  const bool is_ship = std::holds_alternative<model::Ship>(c.structure.shape);
+  if (!is_ship && !is_vertical(slope_of(c).angle)) {
+    add("Croasdale", croasdale_json(c));
+    if (std::holds_alternative<model::Cone>(c.structure.shape)) {
+      add("Ralston", ralston_json(c, standards::Yield::kTresca));
+      add("Ralston", ralston_json(c, standards::Yield::kJohansen));
+    }
+    for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges) add("Nevel", nevel_json(c, wedges));
+  }
+  if (!is_ship) {
+    add("crushing", crushing_json(c, 1.8e6, "Baltic"));
+    add("crushing", crushing_json(c, 2.8e6, "Arctic"));
+  }
+  if (c.hull.length) {
+    add("Lindqvist", lindqvist_json(c));
+    add("Riska", riska_json(c));
+    add("Jeong", jeong_json(c));
+  }
+  return {{"case", c.name}, {"kind", kind_of(c)}, {"loads", loads}};
 }
 
 double waterline_slope(const model::Case& resolved) { return slope_of(resolved).angle; }

@@ -30,6 +30,8 @@ std::string unit_of(const std::string& name) {
   seek(standards::kNevelInputs);
   seek(standards::kCrushingInputs);
   seek(standards::kLindqvistInputs);
+  seek(standards::kRiskaInputs);
+  seek(standards::kJeongInputs);
   return unit;
 }
 

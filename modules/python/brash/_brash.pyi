@@ -333,7 +333,17 @@ class MovingEdge:
         mu1: ArrayLike | None = None,
     ) -> EdgeBreak: ...
 
+@overload
 def characteristic_length(case: Case) -> float: ...
+@overload
+def characteristic_length(
+    *,
+    thickness: ArrayLike,
+    youngs_modulus: ArrayLike,
+    poisson_ratio: ArrayLike,
+    water_density: ArrayLike,
+    gravity: ArrayLike = ...,
+) -> Number: ...
 
 class LoadRatios(NamedTuple):
     horizontal: Floats
@@ -342,109 +352,205 @@ class LoadRatios(NamedTuple):
 
 def load_ratios(slope: ArrayLike, friction: ArrayLike, heading: ArrayLike = 0.0) -> LoadRatios: ...
 
-class CroasdaleLoad:
-    horizontal: float
-    vertical: float
-    breaking: float
-    pushing: float
-    ride_up: float
-    lifting: float
-    turning: float
-    in_plane_factor: float
-    force_ratio: float
-    crack_length: float
-    characteristic_length: float
+# A float, or an array of the common shape if an argument is one.
+Number = Any
 
-class RalstonLoad:
-    horizontal: float
-    vertical: float
-    breaking_horizontal: float
-    ride_horizontal: float
-    breaking_vertical: float
-    ride_vertical: float
-    radius_ratio: float
+class CroasdaleLoad(NamedTuple):
+    horizontal: Number
+    vertical: Number
+    breaking: Number
+    pushing: Number
+    ride_up: Number
+    lifting: Number
+    turning: Number
+    in_plane_factor: Number
+    force_ratio: Number
+    crack_length: Number
+    characteristic_length: Number
 
-class NevelLoad:
-    vertical: float
-    characteristic_length: float
-    in_range: bool
+class RalstonLoad(NamedTuple):
+    horizontal: Number
+    vertical: Number
+    breaking_horizontal: Number
+    ride_horizontal: Number
+    breaking_vertical: Number
+    ride_vertical: Number
+    radius_ratio: Number
 
-class CrushingLoad:
-    horizontal: float
-    pressure: float
+class NevelLoad(NamedTuple):
+    vertical: Number
+    characteristic_length: Number
+    in_range: Number
 
-class LindqvistLoad:
-    total: float
-    crushing: float
-    bending: float
-    submersion: float
+class CrushingLoad(NamedTuple):
+    horizontal: Number
+    pressure: Number
+
+class KeelLoad(NamedTuple):
+    horizontal: Number
+    buoyancy: Number
+    cohesion: Number
+
+class RidgeLoad(NamedTuple):
+    horizontal: Number
+    layer: Number
+    layer_pressure: Number
+    keel: Number
+
+class LindqvistLoad(NamedTuple):
+    total: Number
+    crushing: Number
+    bending: Number
+    submersion: Number
+
+class RiskaLoad(NamedTuple):
+    total: Number
+    at_rest: Number
+    per_speed: Number
+
+class JeongLoad(NamedTuple):
+    total: Number
+    buoyancy: Number
+    clearing: Number
+    breaking: Number
 
 def croasdale(
     *,
-    slope: float,
-    width: float,
-    thickness: float,
-    flexural_strength: float,
-    youngs_modulus: float,
-    poisson_ratio: float,
-    friction_structure: float,
-    friction_ice: float,
-    ice_density: float,
-    water_density: float,
-    weight_density: float = ...,
-    rubble_height: float = ...,
-    rubble_porosity: float = ...,
-    rubble_cohesion: float = ...,
-    rubble_angle: float = ...,
-    rubble_friction_angle: float = ...,
-    gravity: float = ...,
+    slope: ArrayLike,
+    width: ArrayLike,
+    thickness: ArrayLike,
+    flexural_strength: ArrayLike,
+    youngs_modulus: ArrayLike,
+    poisson_ratio: ArrayLike,
+    friction_structure: ArrayLike,
+    friction_ice: ArrayLike,
+    ice_density: ArrayLike,
+    water_density: ArrayLike,
+    weight_density: ArrayLike = ...,
+    rubble_height: ArrayLike = ...,
+    rubble_porosity: ArrayLike = ...,
+    rubble_cohesion: ArrayLike = ...,
+    rubble_angle: ArrayLike = ...,
+    rubble_friction_angle: ArrayLike = ...,
+    gravity: ArrayLike = ...,
 ) -> CroasdaleLoad: ...
 def ralston(
     *,
     breaking: str,
     yield_criterion: str = "tresca",
-    slope: float,
-    waterline_width: float,
-    end_width: float,
-    thickness: float,
-    flexural_strength: float,
-    ride_thickness: float = ...,
-    friction_structure: float,
-    ice_density: float,
-    water_density: float,
-    gravity: float = ...,
+    slope: ArrayLike,
+    waterline_width: ArrayLike,
+    end_width: ArrayLike,
+    thickness: ArrayLike,
+    flexural_strength: ArrayLike,
+    friction_structure: ArrayLike,
+    ice_density: ArrayLike,
+    water_density: ArrayLike,
+    ride_thickness: ArrayLike = ...,
+    gravity: ArrayLike = ...,
 ) -> RalstonLoad: ...
 def nevel(
     *,
-    wedge_angle: float,
-    loaded_length: float,
-    thickness: float,
-    flexural_strength: float,
-    youngs_modulus: float,
-    water_density: float,
-    gravity: float = ...,
+    wedge_angle: ArrayLike,
+    loaded_length: ArrayLike,
+    thickness: ArrayLike,
+    flexural_strength: ArrayLike,
+    youngs_modulus: ArrayLike,
+    water_density: ArrayLike,
+    gravity: ArrayLike = ...,
 ) -> NevelLoad: ...
-def global_crushing(*, width: float, thickness: float, strength_coefficient: float) -> CrushingLoad: ...
+def global_crushing(*, width: ArrayLike, thickness: ArrayLike, strength_coefficient: ArrayLike) -> CrushingLoad: ...
+def keel(
+    *,
+    width: ArrayLike,
+    keel_depth: ArrayLike,
+    keel_porosity: ArrayLike,
+    keel_cohesion: ArrayLike,
+    keel_friction_angle: ArrayLike,
+    ice_density: ArrayLike,
+    water_density: ArrayLike,
+    gravity: ArrayLike = ...,
+) -> KeelLoad: ...
+def ridge(
+    *,
+    width: ArrayLike,
+    layer_thickness: ArrayLike,
+    strength_coefficient: ArrayLike,
+    keel_depth: ArrayLike,
+    keel_porosity: ArrayLike,
+    keel_cohesion: ArrayLike,
+    keel_friction_angle: ArrayLike,
+    ice_density: ArrayLike,
+    water_density: ArrayLike,
+    gravity: ArrayLike = ...,
+) -> RidgeLoad: ...
 def lindqvist(
     *,
-    length: float,
-    breadth: float,
-    draught: float,
-    stem_angle: float,
-    waterline_angle: float,
-    thickness: float,
-    flexural_strength: float,
-    youngs_modulus: float,
-    speed: float,
-    poisson_ratio: float,
-    friction: float,
-    ice_density: float,
-    water_density: float,
-    gravity: float = ...,
+    length: ArrayLike,
+    breadth: ArrayLike,
+    draught: ArrayLike,
+    stem_angle: ArrayLike,
+    waterline_angle: ArrayLike,
+    speed: ArrayLike,
+    thickness: ArrayLike,
+    flexural_strength: ArrayLike,
+    youngs_modulus: ArrayLike,
+    poisson_ratio: ArrayLike,
+    friction: ArrayLike,
+    ice_density: ArrayLike,
+    water_density: ArrayLike,
+    gravity: ArrayLike = ...,
 ) -> LindqvistLoad: ...
+def riska(
+    *,
+    length: ArrayLike,
+    breadth: ArrayLike,
+    draught: ArrayLike,
+    midbody: ArrayLike,
+    bow_length: ArrayLike,
+    stem_angle: ArrayLike,
+    thickness: ArrayLike,
+    speed: ArrayLike,
+) -> RiskaLoad: ...
+def jeong(
+    *,
+    breadth: ArrayLike,
+    draught: ArrayLike,
+    thickness: ArrayLike,
+    speed: ArrayLike,
+    flexural_strength: ArrayLike,
+    ice_density: ArrayLike,
+    water_density: ArrayLike,
+    buoyancy_factor: ArrayLike = ...,
+    gravity: ArrayLike = ...,
+) -> JeongLoad: ...
+def breaking_length(
+    *,
+    thickness: ArrayLike,
+    youngs_modulus: ArrayLike,
+    poisson_ratio: ArrayLike,
+    water_density: ArrayLike,
+    gravity: ArrayLike = ...,
+) -> Number: ...
 def croasdale_of(case: Case) -> CroasdaleLoad: ...
 def ralston_of(case: Case, yield_criterion: str = "tresca") -> RalstonLoad: ...
+def nevel_of(case: Case, wedges: int) -> NevelLoad: ...
+def global_crushing_of(case: Case, *, strength_coefficient: float) -> CrushingLoad: ...
+def ridge_of(
+    case: Case,
+    *,
+    layer_thickness: ArrayLike,
+    strength_coefficient: ArrayLike,
+    keel_depth: ArrayLike,
+    keel_porosity: ArrayLike,
+    keel_cohesion: ArrayLike,
+    keel_friction_angle: ArrayLike,
+    gravity: ArrayLike = ...,
+) -> RidgeLoad: ...
 def lindqvist_of(case: Case) -> LindqvistLoad: ...
+def riska_of(case: Case) -> RiskaLoad: ...
+def jeong_of(case: Case) -> JeongLoad: ...
+def breaking_length_of(case: Case) -> float: ...
 
 class Interval:
     lower: float

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brash/core/contract.hpp"
+#include "brash/standards/lengths.hpp"
 
 namespace brash::standards {
 namespace {
@@ -50,9 +51,12 @@ tl::expected<CroasdaleLoad, NotApplicable> croasdale(const CroasdaleInput& in) {
 
   const double rho = in.weight_density > 0.0 ? in.weight_density : in.ice_density;
   const double k = in.water_density * in.gravity;
-  const double D = in.youngs_modulus * h * h * h / (12.0 * (1.0 - in.poisson_ratio * in.poisson_ratio));
   CroasdaleLoad load;
-  load.characteristic_length = std::pow(D / k, 0.25);
+  load.characteristic_length = characteristic_length({.thickness = h,
+                                                      .youngs_modulus = in.youngs_modulus,
+                                                      .poisson_ratio = in.poisson_ratio,
+                                                      .water_density = in.water_density,
+                                                      .gravity = in.gravity});
   load.force_ratio = (sine + mu * cosine) / (cosine - mu * sine);
   load.crack_length = in.width + 0.25 * kPi * kPi * load.characteristic_length;
   load.breaking = 0.68 * load.force_ratio * in.flexural_strength *

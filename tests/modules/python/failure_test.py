@@ -133,6 +133,93 @@ class ClosedForms(unittest.TestCase):
     CONE = dict(slope=1.0, waterline_width=10, end_width=2, thickness=0.33, flexural_strength=539e3,
                 friction_structure=0.1, ice_density=900, water_density=1025, breaking="upward")
 
+    HULL = dict(length=150, breadth=22.2, draught=9.5, midbody=12, bow_length=61, stem_angle=np.radians(16), thickness=1.04,
+                speed=1)
+    BASIN = dict(breadth=22.2, draught=9.5, thickness=1.04, speed=1, flexural_strength=592e3, ice_density=900, water_density=1000)
+    KEEL = dict(width=100, keel_depth=16, keel_porosity=0.3, keel_cohesion=6e3, keel_friction_angle=np.radians(30),
+                ice_density=910, water_density=1024)
+    WALL = dict(width=100, thickness=1, strength_coefficient=2.8e6)
+    FLOATING = dict(thickness=0.33, youngs_modulus=0.35e9, poisson_ratio=0.3, water_density=1025)
+
+    @classmethod
+    def calls(cls):
+        """Each closed form with arguments in its range."""
+        layer = dict(layer_thickness=2, strength_coefficient=1.8e6)
+        return ((brash.croasdale, dict(slope=1.0, width=13.6, **cls.PLATE)), (brash.ralston, cls.CONE),
+                (brash.nevel, dict(wedge_angle=0.8, loaded_length=0.33, water_density=1025, **cls.ICE)),
+                (brash.global_crushing, cls.WALL), (brash.keel, cls.KEEL), (brash.ridge, {**cls.KEEL, **layer}),
+                (brash.lindqvist, cls.SHIP), (brash.riska, cls.HULL), (brash.jeong, cls.BASIN),
+                (brash.characteristic_length, cls.FLOATING), (brash.breaking_length, cls.FLOATING))
+
+    def test_numbers_of_their_sources(self):
+        # tests/modules/standards says where each comes from.
+        self.assertAlmostEqual(brash.riska(**self.HULL).total / 1e3, 1026, delta=0.5)
+        self.assertAlmostEqual(brash.jeong(**self.BASIN, buoyancy_factor=0.374).total / 1e3, 963, delta=0.5)
+        tower = brash.global_crushing(width=5, thickness=1, strength_coefficient=2.2e6)
+        self.assertAlmostEqual(tower.horizontal, 8.50271e6, delta=5)
+        self.assertAlmostEqual(brash.keel(**self.KEEL, gravity=9.81).horizontal / 1e6, 65.0048, places=4)
+        self.assertAlmostEqual(brash.characteristic_length(**self.FLOATING), 3.272, places=3)
+        self.assertAlmostEqual(brash.breaking_length(**self.FLOATING), 3.272 * np.pi / 2**1.5, places=3)
+
+    def test_arrays_broadcast_and_have_the_values_of_floats(self):
+        def fields(result):
+            return result if isinstance(result, tuple) else (result,)
+
+        factors = np.array([1.0, 1.02, 1.05])
+        for form, given in self.calls():
+            first, second = [name for name in given if name != "breaking"][:2]
+            rows, columns = given[first] * factors[:2, None], given[second] * factors
+            table = fields(form(**{**given, first: rows, second: columns}))
+            for i, j in np.ndindex(2, 3):
+                one = fields(form(**{**given, first: rows[i, 0], second: columns[j]}))
+                self.assertEqual([array[i, j] for array in table], list(one), form.__name__)
+
+    def test_a_result_is_a_named_tuple_of_floats_or_arrays(self):
+        load = brash.riska(**self.HULL)
+        self.assertEqual(load._fields, ("total", "at_rest", "per_speed"))
+        self.assertIs(type(load.total), float)
+        table = brash.riska(**{**self.HULL, "speed": [0.5, 1.0]})
+        self.assertIsInstance(table, brash.RiskaLoad)
+        self.assertEqual(table.total.shape, (2,))
+        self.assertEqual(brash.riska(**{**self.HULL, "speed": np.zeros((0, 3))}).total.shape, (0, 3))
+        self.assertIs(type(brash.nevel(wedge_angle=0.8, loaded_length=0.33, water_density=1025, **self.ICE).in_range), bool)
+        with self.assertRaisesRegex(brash.InputError, r"cannot be broadcast together: .*thickness \(3,\).*speed \(2,\)"):
+            brash.riska(**{**self.HULL, "speed": [0, 1], "thickness": [1, 1, 1]})
+
+    def test_elements_out_of_a_formula_s_range_are_nan_with_one_warning(self):
+        with self.assertWarnsRegex(UserWarning, r"global_crushing: 2 of 6 elements are nan.* \[0, 0\]: the face is narrower"):
+            load = brash.global_crushing(width=[[1], [20], [50]], thickness=[1, 2], strength_coefficient=2.8e6)
+        np.testing.assert_array_equal(np.isnan(load.horizontal), [[True, True], [False, False], [False, False]])
+
+    def test_a_value_out_of_range_is_named_with_what_is_allowed(self):
+        for form, given in self.calls():
+            with self.assertRaisesRegex(brash.InputError, rf"^{form.__name__}: \w+ = -1 .* is out of range: it must be .*\. Give "):
+                form(**{name: -1.0 if name != "breaking" else "upward" for name in given})
+        with self.assertRaisesRegex(brash.InputError, r"croasdale: slope\[1\] = 60 rad is out of range: it must be above 0 and "
+                                                      r"below 1.5708. Give angles in radians: numpy.radians\(45\)"):
+            brash.croasdale(slope=[1.0, 60.0], width=13.6, **self.PLATE)
+        with self.assertRaisesRegex(brash.InputError, "jeong: must hold: .*water_density > in.ice_density"):
+            brash.jeong(**{**self.BASIN, "ice_density": 1030})
+
+    def test_forms_of_a_case_are_the_forms_of_its_numbers(self):
+        cone, ice = brash.Case.from_file(CONE), dict(thickness=0.33, youngs_modulus=0.35e9, water_density=1025)
+        self.assertEqual(brash.breaking_length_of(cone), brash.breaking_length(**self.FLOATING))
+        self.assertAlmostEqual(brash.characteristic_length(cone), brash.characteristic_length(**self.FLOATING), places=12)
+        self.assertEqual(brash.nevel_of(cone, 4), brash.nevel(wedge_angle=np.pi / 4, loaded_length=0.33, flexural_strength=539e3, **ice))
+        self.assertEqual(brash.global_crushing_of(cone, strength_coefficient=1.8e6),
+                         brash.global_crushing(width=13.6, thickness=0.33, strength_coefficient=1.8e6))
+        of_ridge = dict(layer_thickness=1, strength_coefficient=1.8e6, keel_depth=[5, 9], keel_porosity=0.3, keel_cohesion=6e3,
+                        keel_friction_angle=0.5)
+        with self.assertRaisesRegex(brash.NotApplicable, "the face slopes"):
+            brash.ridge_of(cone, **of_ridge)
+        pile = brash.Case.from_file(CONE, {"structure.angle": "90 deg", "field.initial_crack": False})
+        np.testing.assert_array_equal(brash.ridge_of(pile, **of_ridge).keel,
+                                      brash.ridge(width=13.6, ice_density=900, water_density=1025, **of_ridge).keel)
+        with self.assertRaisesRegex(TypeError, "width is that of the case"):
+            brash.ridge_of(pile, width=3, **of_ridge)
+        with self.assertRaisesRegex(brash.NotApplicable, "two at least"):
+            brash.nevel_of(cone, 1)
+
     def test_the_case_s_loads_are_those_of_the_command(self):
         case = brash.Case.from_file(CONE)
         said = subprocess.run([os.environ["BRASH"], "loads", CONE], capture_output=True, text=True, check=True).stdout
@@ -154,11 +241,7 @@ class ClosedForms(unittest.TestCase):
             brash.ralston(**{**self.CONE, "breaking": "sideways"})
 
     def test_what_changes_a_load_has_no_default(self):
-        plate = dict(slope=1.0, width=13.6, **self.PLATE)
-        wedge = dict(wedge_angle=0.8, loaded_length=0.33, water_density=1025, **self.ICE)
-        crushing = dict(width=100, thickness=1, strength_coefficient=2.8e6)
-        for form, given in ((brash.croasdale, plate), (brash.ralston, self.CONE), (brash.nevel, wedge),
-                            (brash.global_crushing, crushing), (brash.lindqvist, self.SHIP)):
+        for form, given in self.calls():
             form(**given)
             for name in given:
                 with self.subTest(form=form, name=name), self.assertRaisesRegex(TypeError, name):
@@ -178,13 +261,14 @@ class ClosedForms(unittest.TestCase):
     def test_a_case_with_a_hull_has_the_resistance_of_the_command(self):
         hull = {"hull.length": 75.2, "hull.breadth": 18, "hull.draught": 6.5, "hull.stem_angle": "30 deg",
                 "hull.waterline_angle": "35 deg"}
-        ship = brash.lindqvist_of(brash.Case.from_file(CONE, hull))
         given = [f"--set={key}={value}" for key, value in hull.items()]
         said = subprocess.run([os.environ["BRASH"], "loads", CONE, "--json", *given], capture_output=True, text=True,
                               check=True).stdout
-        self.assertAlmostEqual(ship.total, json.loads(said)["loads"][-1]["horizontal"], places=6)
-        with self.assertRaisesRegex(brash.NotApplicable, r"no section \[hull\]"):
-            brash.lindqvist_of(brash.Case.from_file(CONE))
+        ship, cone = brash.Case.from_file(CONE, hull), brash.Case.from_file(CONE)
+        for form, load in zip((brash.lindqvist_of, brash.riska_of, brash.jeong_of), json.loads(said)["loads"][-3:], strict=True):
+            self.assertAlmostEqual(form(ship).total, load["horizontal"], places=6)
+            with self.assertRaisesRegex(brash.NotApplicable, r"no section \[hull\]"):
+                form(cone)
 
     def test_what_does_not_apply_and_what_is_wrong_are_told_apart(self):
         with self.assertRaises(brash.NotApplicable):

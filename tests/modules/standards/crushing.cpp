@@ -24,6 +24,12 @@ BOOST_AUTO_TEST_CASE(thin_ice_presses_harder_and_the_exponent_is_continuous_at_o
   BOOST_TEST(pressure(0.999999) == pressure(1.0), tt::tolerance(1e-5));
 }
 
+BOOST_AUTO_TEST_CASE(the_load_of_a_published_calculation_is_reproduced_to_its_digits) {
+  // Test logs of IceFloe, part of OpenFAST: a tower of 5 m in ice of 1 m.
+  const auto load = global_crushing({.width = 5.0, .thickness = 1.0, .strength_coefficient = 2.2e6});
+  BOOST_CHECK_SMALL(load->horizontal - 8.50271e6, 5.0);  // half a unit of the last digit
+}
+
 BOOST_AUTO_TEST_CASE(a_face_narrower_than_two_thicknesses_is_refused) {
   BOOST_TEST(!global_crushing({.width = 1.9, .thickness = 1.0}).has_value());
   BOOST_TEST(global_crushing({.width = 2.0, .thickness = 1.0}).has_value());

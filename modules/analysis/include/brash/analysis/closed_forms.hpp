@@ -25,8 +25,8 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
 std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(
     const model::Case& resolved);
 
-/// Closed-form loads for a case, SI, each with components, inputs, source and where it applies: Croasdale, Ralston with
-/// both yield criteria, Nevel's wedges, Lindqvist for a hull.
+/// Closed-form loads that fit a case's structure, with components, inputs (SI) and source: a ship's resistance
+/// (Lindqvist, Riska, Jeong); on a slope Croasdale, Ralston (cones), Nevel and crushing; on a wall crushing.
 nlohmann::ordered_json closed_form_loads(const model::Case& resolved);
 
 /// A unit of a table's numbers.
