@@ -192,7 +192,7 @@ class Numbers(unittest.TestCase):
 
     def test_the_length_of_an_elastic_plate(self):
         case = {"ice.thickness": 0.33, "ice.poisson_ratio": 0.3, "ice.youngs_modulus": 0.35e9, "water.density": 1025.0}
-        cone = brash.Case.from_file(SOURCE / "experiments/validation/cone.toml")
+        cone = brash.Case.from_file(SOURCE / "experiments/validation/demo.toml")
         self.assertAlmostEqual(case_numbers.characteristic_length(case), brash.characteristic_length(cone), places=6)
         self.assertAlmostEqual(inputs.modulus_of(case_numbers.characteristic_length(case), case) / 0.35e9, 1.0)
 
