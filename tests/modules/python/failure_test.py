@@ -13,6 +13,7 @@ import brash
 
 SOURCE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 CONE = SOURCE / "experiments/validation/cone.toml"
+DEMO = SOURCE / "experiments/validation/demo.toml"  # the same with the default preset
 ROW = dict(b_lc=0.2, c_lc=0.1, theta=1.0, mu1=0.5, mu2=0.1)
 
 
@@ -202,7 +203,7 @@ class ClosedForms(unittest.TestCase):
             brash.jeong(**{**self.BASIN, "ice_density": 1030})
 
     def test_forms_of_a_case_are_the_forms_of_its_numbers(self):
-        cone, ice = brash.Case.from_file(CONE), dict(thickness=0.33, youngs_modulus=0.35e9, water_density=1025)
+        cone, ice = brash.Case.from_file(DEMO), dict(thickness=0.33, youngs_modulus=0.35e9, water_density=1025)
         self.assertEqual(brash.breaking_length_of(cone), brash.breaking_length(**self.FLOATING))
         self.assertAlmostEqual(brash.characteristic_length(cone), brash.characteristic_length(**self.FLOATING), places=12)
         self.assertEqual(brash.nevel_of(cone, 4), brash.nevel(wedge_angle=np.pi / 4, loaded_length=0.33, flexural_strength=539e3, **ice))
@@ -212,7 +213,7 @@ class ClosedForms(unittest.TestCase):
                         keel_friction_angle=0.5)
         with self.assertRaisesRegex(brash.NotApplicable, "the face slopes"):
             brash.ridge_of(cone, **of_ridge)
-        pile = brash.Case.from_file(CONE, {"structure.angle": "90 deg", "field.initial_crack": False})
+        pile = brash.Case.from_file(DEMO, {"structure.angle": "90 deg", "field.initial_crack": False})
         np.testing.assert_array_equal(brash.ridge_of(pile, **of_ridge).keel,
                                       brash.ridge(width=13.6, ice_density=900, water_density=1025, **of_ridge).keel)
         with self.assertRaisesRegex(TypeError, "width is that of the case"):
@@ -285,7 +286,7 @@ class ClosedForms(unittest.TestCase):
 
 class MovingEdges(unittest.TestCase):
     def test_an_edge_breaks_at_any_speed_as_the_reference(self):
-        case = brash.Case.from_file(CONE)
+        case = brash.Case.from_file(DEMO)
         broken = brash.MovingEdge(case)(b_lc=0.4, c_lc=0.3, theta=np.radians(60), speed=[0.0, 1.202])
         # An independent calculation has 49.5 and 55.3 kN; the model is within 2 % of the plate.
         np.testing.assert_allclose(broken.load, [49.5e3, 55.3e3], rtol=0.03)
