@@ -564,6 +564,7 @@ class Summary:
     minimum: float
     maximum: float
     skewness: float
+    quantile_1: float
     quantile_50: float
     quantile_95: float
     quantile_99: float

@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_ship_has_the_resistance_formulas_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(a_vertical_face_crushes_alone) {
-  const auto loads = closed_form_loads(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+  const auto loads = closed_form_loads(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/demo.toml",
                                                      {"structure.angle=90 deg", "field.initial_crack=false"}))["loads"];
   BOOST_TEST_REQUIRE(loads.size() == 2U);
   for (const auto& load : loads) BOOST_TEST(load["formula"] == "crushing");

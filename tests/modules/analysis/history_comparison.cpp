@@ -55,8 +55,8 @@ BOOST_AUTO_TEST_CASE(a_short_history_is_named) {
   const LoadHistory lasting = noise(1, 2000, 100.0, 20.0), brief = noise(2, 100, 100.0, 20.0);
   BOOST_TEST(!contains(comparison_text(compare_histories(lasting, lasting)), "note:"));
   const std::string text = comparison_text(compare_histories(brief, lasting));
-  BOOST_TEST(contains(text, "note: the run is shorter than 50 autocorrelation times"));
-  BOOST_TEST(!contains(text, "the measurement is"));
+  BOOST_TEST(contains(text, "note: measured 1 is shorter than 50 autocorrelation times"));
+  BOOST_TEST(!contains(text, "measured 2 is"));
 }
 
 BOOST_AUTO_TEST_CASE(replicates_of_one_process_differ_in_few_cases) {
