@@ -267,7 +267,7 @@ test("light and dark differ in page, replay and charts", async () => {
 
 test("a run that is over before its statistics begin shows none", async () => {
   const early = join(folder, "early");
-  brash("run", join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), "-o", early, "--set", "time.duration=1");
+  brash("run", join(process.env.BRASH_SOURCE, "experiments/validation/demo.toml"), "-o", early, "--set", "time.duration=1");
   const shown = await browser.open(join(early, "report.html"));
   assert.equal(await shown.locator("#moments").count(), 0);
   assert.equal(await shown.locator(".figure.none").count(), 3);
