@@ -150,7 +150,8 @@ BOOST_AUTO_TEST_CASE(statistics_begin_when_the_last_leg_is_in_the_ice) {
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(simulation::statistics_window(case_of(kTow, 20.0, "brash"), 0.0).from == 4.0 / 1.2);
   // Turned by a quarter, two of the legs are 6 m behind.
-  const model::Case turned = case_of("motion.path = [[0, -12, 0, 1.5708], [20, 12, 0, 1.5708]]\n" + legs, 20.0, "brash");
+  const model::Case turned =
+      case_of("motion.path = [[0, -12, 0, 1.5708], [20, 12, 0, 1.5708]]\n" + legs, 20.0, "brash");
   BOOST_TEST(simulation::statistics_window(turned, 0.0).from == 18.0 / 1.2, boost::test_tools::tolerance(0.01));
 }
 

@@ -17,10 +17,11 @@ namespace {
 
 using namespace brash;
 
-/// The validation case with the algorithm of the paper and Nevel's wedges, for some seconds. The program's engine resumes
-/// to the bit.
+/// The validation case with the algorithm of the paper and Nevel's wedges, for some seconds. The program's engine
+/// resumes to the bit.
 std::string text_of(const std::string& motion, double duration) {
-  return "[algorithm]\npreset = \"paper\"\n[contact]\nengine = \"brash\"\n[ice]\nthickness = 0.33\nyoungs_modulus = 0.35e9\nflexural_strength = "
+  return "[algorithm]\npreset = \"paper\"\n[contact]\nengine = \"brash\"\n[ice]\nthickness = 0.33\nyoungs_modulus = "
+         "0.35e9\nflexural_strength = "
          "539e3\n"
          "[structure]\nangle = \"61.4 deg\"\nwaterline_width = 13.6\nheight = 9.08\nheight_under_water = 5.68\n" +
          motion +

@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(an_angle_without_its_unit_is_warned_of_and_one_that_is_mean
 
 BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
   BOOST_TEST(warnings_with({"ice.thickness=0.5 m", "failure.length_density=water"}).empty());  // h/l_c = 0.112
-  const auto text = text_of(warnings_with({"ice.youngs_modulus=9 GPa", "failure.length_density=water"}), "trained-thickness");
+  const auto text =
+      text_of(warnings_with({"ice.youngs_modulus=9 GPa", "failure.length_density=water"}), "trained-thickness");
   BOOST_TEST(says(text, "failure.model = network was trained with h/l_c = 0.1, and this ice has 0.044"), text);
 }
 
@@ -163,7 +164,8 @@ BOOST_AUTO_TEST_CASE(another_poisson_s_ratio_is_warned_of_where_the_model_knows_
 
 BOOST_AUTO_TEST_CASE(a_structure_too_slow_for_the_sweeps_of_a_step_is_warned_of) {
   const auto warned = [](const char* speed, const char* iterations) {
-    return text_of(warnings_with({speed, iterations, "time.duration=10000", "failure.length_density=water"}), "few-iterations");
+    return text_of(warnings_with({speed, iterations, "time.duration=10000", "failure.length_density=water"}),
+                   "few-iterations");
   };
   // A piece of 2.7 m2 has 1.2 t and yields at 2.7 kN s in 10 ms: 114 sweeps at 2 cm/s.
   const auto slow = warned("structure.speed=0.02", "contact.iterations=30");
@@ -178,7 +180,8 @@ BOOST_AUTO_TEST_CASE(the_way_to_the_ice_depends_on_the_direction_of_breaking) {
   // ice's bottom, 0.29 m down, and 0.04 m away.
   BOOST_TEST(has(warnings_with({"time.duration=0.14"}), "no-contact"));
   BOOST_TEST(!has(warnings_with({"time.duration=0.14", "structure.breaking=upward"}), "no-contact"));
-  BOOST_TEST(has(warnings_with({"algorithm.preset=brash", "time.duration=0.14", "structure.breaking=upward"}), "no-statistics"));
+  BOOST_TEST(has(warnings_with({"algorithm.preset=brash", "time.duration=0.14", "structure.breaking=upward"}),
+                 "no-statistics"));
 }
 
 BOOST_AUTO_TEST_CASE(statistics_from_before_the_contact_are_short_all_the_same) {
