@@ -15,7 +15,7 @@ struct EdgeFiles {
   std::string command;     ///< that makes the model
 };
 
-/// Fits the model, judges it on the test databases, writes model, card and errors and prints the errors.
+/// Fits the model, tests it on the test databases, writes model, card and errors and prints the errors.
 /// @throws InputError for a database that cannot be read or leaves a point of its grid out.
 void fit_edges(const EdgeFiles& files);
 

@@ -132,7 +132,7 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (is_plate && by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
-/// Likewise of the engine, where another key needs the program's own.
+/// The preset's engine gives way where another key needs the program's own.
 void drop_engine_not_taken(model::Case& c, const CaseSource& source) {
   if (source.tree["contact"]["engine"].node() != nullptr) return;
   const bool drifts = c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFree;

@@ -25,7 +25,7 @@ namespace {
 /// Sides nearer than this many characteristic lengths change how the ice bends: the plate of the failure model has
 /// none.
 constexpr double kNearBorder = 2.0;
-/// Typical breaking length over l_c: medians of 0.3 to 0.5 with the preset `brash`, of 0.5 to 0.85 with `paper`.
+/// Typical breaking length over l_c: medians of 0.3 to 0.5 with the preset `brash`, of 0.5 with `paper`.
 constexpr double kBreakingLength = 0.4;
 /// A run with fewer breaks one after the other says little of their mean, however often its load goes up and down.
 constexpr double kFewBreaks = 5.0;
@@ -188,9 +188,9 @@ void add_statistics_warnings(const model::Case& c, const Course& course, const D
   else if (speed >= kAtRest && travel < kFewBreaks * kBreakingLength * scales.characteristic_length)
     warnings.push_back(
         {"short-run",
-         fmt::format("the statistics cover {:.3g} m of travel from {:.3g} s on, and a break reaches about 0.4 l_c = "
+         fmt::format("the statistics cover {:.3g} m of travel from {:.3g} s on, and a break reaches about {:.1g} l_c = "
                      "{:.3g} m: expected {:.0f} breaking lengths; {}",
-                     travel, from, kBreakingLength * scales.characteristic_length, kFewBreaks,
+                     travel, from, kBreakingLength, kBreakingLength * scales.characteristic_length, kFewBreaks,
                      longer_run(c, from, speed, scales.characteristic_length))});
 }
 

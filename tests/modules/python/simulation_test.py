@@ -17,7 +17,7 @@ import xarray as xr
 import brash
 
 CONE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"]) / "experiments/validation/cone.toml"
-# Its engine goes on from a checkpoint to the bit.
+# Its engine continues from a checkpoint to the bit.
 EARLIER = CONE.parent / "second_reading.toml"
 SHORT = {"time.duration": "2 s"}
 
