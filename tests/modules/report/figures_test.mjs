@@ -302,11 +302,16 @@ test("two runs move under one slider", async () => {
 });
 
 test("the replay is drawn where nothing waits for it, also under a header that wraps", async () => {
-  for (const width of [560, 1000, 1366]) {
+  const water = async (width) => {
     const picture = plainScreenshot(join(run, "report.html"), join(folder, "plain.png"), width, 900);
     const colours = await pixelsOf(page, picture);
-    const water = colours.filter(([r, , b]) => b > 1.5 * r && b > 60).length / colours.length;
-    assert.ok(water > 0.03, `${width} px wide: ${water}`);
+    return colours.filter(([r, , b]) => b > 1.5 * r && b > 60).length / colours.length;
+  };
+  for (const width of [560, 1000, 1366]) {
+    // Chromium may take its picture before a busy machine has drawn the first frame.
+    let found = 0;
+    for (let attempt = 0; attempt < 5 && found <= 0.03; ++attempt) found = await water(width);
+    assert.ok(found > 0.03, `${width} px wide: ${found}`);
   }
 });
 
