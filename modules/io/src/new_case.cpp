@@ -81,6 +81,10 @@ Sizes sizes_for(const std::string& kind, const SiteIce& ice) {
 std::string fitting_value(const std::string& key, const std::string& kind, const SiteIce& ice) {
   const bool is_validation = ice.name() == "basin" && kind != "ship";
   if (key == "structure.start_distance") return fmt::format("\"{:g} m\"", start_distance(kind, ice));
+  // The sides of an icebreaker lean outwards, so that they break ice; a disc that the program cuts first would be wider
+  // than the ship.
+  if (key == "hull.flare") return "\"8 deg\"";
+  if (key == "field.initial_crack") return kind == "ship" ? "false" : "";
   if (is_validation) return "";
   const Sizes sizes = sizes_for(kind, ice);
   if (key == "field.length") return fmt::format("\"{:g} m\"", sizes.length);
@@ -114,7 +118,8 @@ std::string section_keys(const std::string& section, const std::string& kind, co
     const std::string of = section == "structure" ? kind : "";
     const bool is_required = schema.has_key(section, key, of) && schema.requires_key(section, key, of);
     const bool is_particular = section == "hull" && kind == "ship" && n++ < kParticulars;
-    const bool is_useful = section == "algorithm" || key == "seed" || (section == "ice" && key == "friction_structure");
+    const bool is_of_ships = kind == "ship" && (key == "flare" || key == "initial_crack");
+    const bool is_useful = section == "algorithm" || key == "seed" || key == "friction_structure" || is_of_ships;
     if (const auto of_site = ice.value_of(section + "." + key))
       text += commented(of_site->source) + key_line(key, key_schema, of_site->toml);
     else if (is_required || is_particular || is_useful)
