@@ -70,10 +70,6 @@ PieceSizes sizes_of_map(const std::string& file, const io::Notes& notes) {
   return sizes;
 }
 
-ordered_json estimate_json(const Estimate& e) {
-  return {{"value", e.value}, {"interval_95", {e.interval.lower, e.interval.upper}}};
-}
-
 /// One sentence on the test of a fit.
 std::string verdict(const SizeFit& fit) {
   const char* test = fit.law == SizeLaw::kPowerTail ? "Kolmogorov and Smirnov" : "Anderson and Darling";

@@ -83,6 +83,10 @@ std::optional<double> number_in(const std::string& cell) {
   return value;
 }
 
+nlohmann::ordered_json estimate_json(const statistics::Estimate& e) {
+  return {{"value", e.value}, {"interval_95", {e.interval.lower, e.interval.upper}}};
+}
+
 void add_origin(const model::Origin& origin, nlohmann::ordered_json& table) {
   if (!origin.empty()) table["origin"] = origin;
 }

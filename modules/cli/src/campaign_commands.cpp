@@ -311,19 +311,27 @@ void refuse_options_of_slurm(const CampaignOptions& options) {
                              "add `--on slurm`, or leave the option out"});
 }
 
+campaign::Campaign campaign_of(const CampaignOptions& options) {
+  return {.plan = io::read_campaign_plan(options.plan_file, {.quick = options.quick,
+                                                             .replicates = options.replicates,
+                                                             .overrides = options.overrides,
+                                                             .known_columns = campaign::known_columns(),
+                                                             .default_columns = campaign::default_columns()}),
+          .plan_file = options.plan_file,
+          .directory = options.directory,
+          .resume = options.resume || options.tables,
+          .program = campaign::this_program(),
+          .unfit = [](const std::string& what) { say("warning: {}: the case is run again\n", what); }};
+}
+
+void refuse_missing(const campaign::Campaign& campaign, const Counts& counts) {
+  if (counts.n_missing() > 0 || !is_up_to_date(campaign.directory + "/summary.json", counts))
+    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
+}
+
 void run_campaign(const CampaignOptions& options) {
   refuse_options_of_slurm(options);
-  campaign::Campaign campaign{
-      .plan = io::read_campaign_plan(options.plan_file, {.quick = options.quick,
-                                                         .replicates = options.replicates,
-                                                         .overrides = options.overrides,
-                                                         .known_columns = campaign::known_columns(),
-                                                         .default_columns = campaign::default_columns()}),
-      .plan_file = options.plan_file,
-      .directory = options.directory,
-      .resume = options.resume || options.tables,
-      .program = campaign::this_program(),
-      .unfit = [](const std::string& what) { say("warning: {}: the case is run again\n", what); }};
+  campaign::Campaign campaign = campaign_of(options);
   const Counts before = campaign::count(campaign.plan, options.directory);
   // Later on the table tells them.
   if (!options.tables && before.n_done + before.n_failed == 0) say_warnings(campaign.plan.settings);
@@ -339,8 +347,7 @@ void run_campaign(const CampaignOptions& options) {
     print_status(counts, options.json);
     return say("submitted, see squeue; `--status` counts\n");
   }
-  if (counts.n_missing() > 0 || !is_up_to_date(campaign.directory + "/summary.json", counts))
-    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
+  refuse_missing(campaign, counts);
   show_results(campaign, options, counts);
 }
 
@@ -392,6 +399,23 @@ void add_case_command(CLI::App& app) {
 }
 
 }  // namespace
+
+void run_plan(const PlanRun& run) {
+  CampaignOptions options;
+  options.plan_file = run.plan_file;
+  options.directory = run.directory;
+  options.overrides = run.overrides;
+  options.n_jobs = run.n_jobs;
+  options.resume = run.resume;
+  const campaign::Campaign campaign = campaign_of(options);
+  if (const Counts before = campaign::count(campaign.plan, run.directory); before.n_done + before.n_failed == 0)
+    say_warnings(campaign.plan.settings);
+  const Counts counts = run_here(campaign, run.n_jobs);
+  refuse_missing(campaign, counts);
+  say_programs(run.directory + "/manifest.json");
+  if (counts.n_failed > 0)
+    say("warning: {} of {} cases failed; {}/cases/*.failed say why\n", counts.n_failed, counts.n_cases, run.directory);
+}
 
 void add_campaign_commands(CLI::App& app) {
   auto options = std::make_shared<CampaignOptions>();

@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   brash::cli::add_compare_command(app);
   brash::cli::add_trend_command(app);
   brash::cli::add_design_command(app);
+  brash::cli::add_resistance_command(app);
   brash::cli::add_report_command(app);
   brash::cli::add_export_command(app);
   brash::cli::add_rerun_command(app);

@@ -15,6 +15,8 @@ void add_compare_command(CLI::App& app);
 void add_trend_command(CLI::App& app);
 /// `brash design CAMPAIGN`; callbacks throw InputError.
 void add_design_command(CLI::App& app);
+/// `brash resistance CASE.toml|CAMPAIGN`; callbacks throw InputError.
+void add_resistance_command(CLI::App& app);
 /// `brash loads CASE.toml`
 void add_loads_command(CLI::App& app);
 

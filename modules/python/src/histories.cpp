@@ -10,6 +10,7 @@
 #include "brash/analysis/history_comparison.hpp"
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/analysis/load_history.hpp"
+#include "brash/analysis/resistance.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/series.hpp"
 #include "brash/statistics/moments.hpp"
@@ -282,6 +283,28 @@ py::object design(const py::object& campaign, const std::string& column, const s
   });
 }
 
+/// The net thrust of a ship, if any of the arguments states it.
+std::optional<analysis::NetThrust> net_thrust(std::optional<double> bollard_pull,
+                                              std::optional<double> open_water_speed, const py::object& table) {
+  if (bollard_pull.has_value() != open_water_speed.has_value() || (bollard_pull && !table.is_none()))
+    throw InputError("resistance: bollard_pull and open_water_speed together, or thrust alone, or none of them");
+  if (!table.is_none()) return analysis::NetThrust::from_table(path_of(table));
+  if (!bollard_pull) return std::nullopt;
+  require(*bollard_pull > 0.0, "bollard_pull", *bollard_pull, "above 0 N");
+  require(*open_water_speed > 0.0, "open_water_speed", *open_water_speed, "above 0 m/s");
+  return analysis::NetThrust::from_bollard_pull(*bollard_pull, *open_water_speed);
+}
+
+py::object resistance(const py::object& campaign, std::optional<double> bollard_pull,
+                      std::optional<double> open_water_speed, const py::object& table, double at_speed) {
+  return with_arguments_of("resistance", [&] {
+    require(at_speed > 0.0, "at_speed", at_speed, "above 0 m/s");
+    const auto thrust = net_thrust(bollard_pull, open_water_speed, table);
+    const std::string folder = path_of(campaign);
+    return from_json(unlocked([&] { return analysis::resistance_of(folder, thrust, at_speed).dump(); }));
+  });
+}
+
 }  // namespace
 
 void add_load_histories(py::module_& m) {
@@ -314,6 +337,11 @@ void add_load_histories(py::module_& m) {
         "scatter"_a = py::none(), "annual"_a = std::vector<double>{1e-2, 1e-4}, "exponents"_a = std::vector<double>(),
         "frequency"_a = 1.0, "where"_a = "", "extrapolate"_a = false,
         "Design loads of a campaign's folder, as `brash design --json`.");
+  m.def("resistance", &resistance, "campaign"_a, "bollard_pull"_a = py::none(), "open_water_speed"_a = py::none(),
+        "thrust"_a = py::none(), "at_speed"_a = analysis::kThreeKnots,
+        "Resistance of a ship from the folder of a campaign over thickness and speed, as `brash resistance --json`, in "
+        "SI. With the bollard pull [N] and the speed in open water [m/s], or `thrust`, a CSV of both, also the speed "
+        "that the thrust attains at each thickness, and the thickness at `at_speed` [m/s].");
 }
 
 }  // namespace brash::python

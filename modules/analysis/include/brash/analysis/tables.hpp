@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/model/origin.hpp"
+#include "brash/statistics/extremes.hpp"
 
 namespace brash::analysis {
 
@@ -29,6 +30,9 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
 
 /// The finite number in a cell; nothing when there is none.
 std::optional<double> number_in(const std::string& cell);
+
+/// A value with its 95 % interval, as `value` and `interval_95`.
+nlohmann::ordered_json estimate_json(const statistics::Estimate& estimate);
 
 /// Adds the preset and the program behind a table to its JSON, under `origin`; nothing for a measurement.
 void add_origin(const model::Origin& origin, nlohmann::ordered_json& table);

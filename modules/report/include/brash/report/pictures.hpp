@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "brash/analysis/design.hpp"
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/analysis/load_history.hpp"
 #include "brash/analysis/pieces.hpp"
+#include "brash/analysis/resistance.hpp"
 #include "brash/statistics/extreme_analysis.hpp"
 
 namespace brash::report {
@@ -27,6 +29,12 @@ std::string comparison_picture(const analysis::LoadHistory& run, const analysis:
 
 /// A picture (SVG) of design loads: levels against the exposure, and against the annual probability.
 std::string design_picture(const analysis::Design& design, const analysis::DesignSettings& asked);
+
+/// A picture (SVG) of a ship's resistance over speed beside Lindqvist's and the thrust, and of the speed that the
+/// thrust attains over thickness.
+/// @param resistance  of analysis::resistance_of().
+std::string resistance_picture(const nlohmann::ordered_json& resistance,
+                               const std::optional<analysis::NetThrust>& thrust);
 
 /// A picture (SVG) of pieces: the share of larger pieces with the fits, and the shares of number and area in smaller
 /// pieces.
