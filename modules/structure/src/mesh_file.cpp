@@ -74,13 +74,13 @@ bool has_ply_header(const std::string& bytes) {
   return false;
 }
 
-/// An OBJ text as CGAL's reader (5.5) needs it: continued lines joined, corners between blanks, and no line elements,
-/// which have no area.
+/// An OBJ text as CGAL's readers need it: continued lines joined, corners between blanks (5.5), no line elements, which
+/// have no area (5.5), and no comments, which a backslash does not continue (6.0).
 std::string plain_obj(const std::string& bytes) {
   std::string text, line;
   const auto keep_line = [&] {
     std::ranges::replace(line, '\t', ' ');
-    if (!line.starts_with("l ")) text += line + '\n';
+    if (!line.starts_with("l ") && !line.starts_with('#')) text += line + '\n';
     line.clear();
   };
   std::istringstream lines(bytes);
