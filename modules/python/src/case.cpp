@@ -34,8 +34,9 @@ std::string toml_value(py::handle value, int depth = 0) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value))
     return py::str(py::module_::import("json").attr("dumps")(value, py::arg("ensure_ascii") = false));
-  if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value);
+  // NumPy's float64 is a float whose text is no number.
   if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")(), depth + 1);
+  if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value);
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
     std::string items;
     for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item, depth + 1);
