@@ -22,6 +22,9 @@ class Released {
 
   /// Whether the interpreter is about to end.
   static bool is_closing() { return closing; }
+  /// Ends the calling thread of an interpreter that is about to end. It says nothing: a traceback on a stderr that is
+  /// being closed would abort the process (Python 3.13).
+  static void raise_end() { PyErr_SetString(PyExc_SystemExit, "the interpreter is about to end"); }
   /// Has all calls end soon, and waits for them, a minute at most. For atexit; holds the GIL.
   static void wait_for_calls() {
     closing = true;
@@ -32,7 +35,10 @@ class Released {
  private:
   struct Count {
     Count() {
-      if (closing) throw std::runtime_error("the interpreter is about to end");
+      if (closing) {
+        raise_end();
+        throw pybind11::error_already_set();
+      }
       ++n_calls;
     }
     Count(const Count&) = delete;
@@ -56,7 +62,7 @@ class SignalPoll {
     asked_ = now;
     const pybind11::gil_scoped_acquire gil;
     if (Released::is_closing()) {
-      PyErr_SetString(PyExc_RuntimeError, "the interpreter is about to end");
+      Released::raise_end();
       return true;
     }
     return PyErr_CheckSignals() != 0;
