@@ -82,6 +82,11 @@ def differences(one, other):
     return [one[i] - other[i] for i in one if one[i] is not None and other.get(i) is not None]
 
 
+def without_noise(value):
+    """A number of order one, or 0 where it is the rounding of one."""
+    return 0.0 if abs(value) < 1e-12 else float(value)
+
+
 def exponent_rows(prediction, rows):
     """Exponents with half the width of their 95 % intervals: of each number, and of the load and its peaks less each form's."""
     judged_one, found = prediction.criterion["statistic"], []
@@ -90,8 +95,8 @@ def exponent_rows(prediction, rows):
         kept = [value for value in samples if value is not None]
         if len(kept) >= 2:
             mean, error, freedom = student(kept)
-            found.append({"input": wanted["of"], "number": number, "less": form, "exponent": float(mean),
-                          "half_width": float(stats.t.ppf(0.975, freedom) * error)})
+            found.append({"input": wanted["of"], "number": number, "less": form, "exponent": without_noise(mean),
+                          "half_width": without_noise(stats.t.ppf(0.975, freedom) * error)})
 
     for wanted in prediction.table["exponent"]:
         exponents = exponents_of(rows, wanted, [judged_one, *WITH_EXPONENTS, *REGRESSIONS])

@@ -126,7 +126,7 @@ def unsettled_of(rows):
 
 def unsettled_lines(rows):
     unsettled, n = unsettled_of(rows)
-    return [f"In {unsettled} of {n} runs the load changes by more than {UNSETTLED:.0%} between the halves of the window.", ""] * (unsettled > 0)
+    return [f"In {unsettled} of {n} runs the load changes by more than {UNSETTLED:.0%} between the halves of the window.", ""] * int(unsettled > 0)
 
 
 def test_line(found):

@@ -25,6 +25,7 @@ import statistics
 import subprocess
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 from generated import Draw, illegal as spoilt_case, legal
@@ -223,6 +224,12 @@ def end_early(command_line, folder, draw):
     return True
 
 
+def engine_of(run):
+    """The engine of the contacts of a run, also where its preset chose it."""
+    manifest = json.loads((run / "manifest.json").read_text(encoding="utf-8"))
+    return tomllib.loads(manifest["case"]["toml"])["contact"]["engine"]
+
+
 def run_fault(brash, file, folder, seed):
     """The fault of the run of a case, or of its continuation after an early end, or ""."""
     whole, parted = folder / "whole", folder / "parted"
@@ -232,7 +239,7 @@ def run_fault(brash, file, folder, seed):
         return f"exit status {done.returncode}: {done.stderr.strip()}"
     if fault := physics_fault(whole):
         return fault
-    if 'engine = "bullet"' in file.read_text():
+    if engine_of(whole) == "bullet":
         return ""  # a resumed run with Bullet has other bytes: docs/reference/case-file.md
     if not end_early([*run, parted], parted, Draw(seed)):
         return "an interrupt was not heard in a minute"

@@ -87,7 +87,7 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
         folder.mkdir()
         for name, text in re.findall(r"^```(?:cmake|cpp) (\S+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
             (folder / name).write_text(text)
-        for command in ([os.environ["CMAKE"], "-B", "build", f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+        for command in ([os.environ["CMAKE"], "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={self.prefix}"],
                         [os.environ["CMAKE"], "--build", "build"], ["build/floes"]):
             done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
