@@ -263,6 +263,17 @@ TestResult jonckheere_terpstra(const std::vector<std::vector<std::vector<double>
   return {z, !tied && pairs <= kExactJonckheere ? exact_jonckheere(strata, score) : two_sided_normal(z)};
 }
 
+double kendall_tau(const std::vector<std::vector<std::vector<double>>>& strata) {
+  double score = 0.0, largest = 0.0;
+  for (const auto& groups : strata) {
+    const Concordance c = rise(groups);
+    const double pairs = c.n * (c.n - 1.0);
+    score += c.score;
+    largest += 0.5 * std::sqrt((pairs - c.x.pairs) * (pairs - c.y.pairs));
+  }
+  return largest > 0.0 ? score / largest : 0.0;
+}
+
 std::vector<double> holm(std::span<const double> p_values) {
   for (const double p : p_values) BRASH_EXPECTS(p >= 0.0 && p <= 1.0, p);
   std::vector<std::size_t> order(p_values.size());

@@ -31,6 +31,10 @@ TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups);
 /// variances. Exact without ties for up to 5000 pairs in all strata together, else normal.
 TestResult jonckheere_terpstra(const std::vector<std::vector<std::vector<double>>>& strata);
 
+/// Kendall's tau-b between group and value over strata: their scores added, over the largest that their ties allow.
+/// Each value is compared within its stratum alone; 0 where nothing can be compared.
+double kendall_tau(const std::vector<std::vector<std::vector<double>>>& strata);
+
 /// Holm's adjustment of p-values for testing several hypotheses; a result below alpha keeps the chance of any false
 /// rejection below alpha. Order kept.
 std::vector<double> holm(std::span<const double> p_values);
