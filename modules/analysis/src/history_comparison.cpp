@@ -170,9 +170,39 @@ ordered_json ratio_json(const statistics::RatioComparison& ratio) {
   return {{"ratio", ratio.ratio}, {"ratio_95", interval(ratio.interval)}, {"p", ratio.test.p_value}};
 }
 
+/// Whether two histories are columns of one file, such as two sensors: they have the same times, and are not
+/// independent.
+bool are_paired(const Side& a, const Side& b) {
+  return a.histories == 1 && b.histories == 1 && !a.all.file.empty() && a.all.file == b.all.file &&
+         a.all.history.times == b.all.history.times;
+}
+
+/// Statistics of the differences of two paired histories.
+Summary differences_of(const Side& a, const Side& b) {
+  LoadHistory difference = a.all;
+  for (std::size_t i = 0; i < difference.history.values.size(); ++i)
+    difference.history.values[i] -= b.all.history.values[i];
+  return statistics::summarise(difference.history, difference.even);
+}
+
 ordered_json mean_json(const Side& run, const Side& measured) {
-  const statistics::MeanComparison c = statistics::compare_means(run.mean, measured.mean, kConfidence);
+  const bool paired = are_paired(run, measured);
+  Summary none;  // the mean of paired differences is compared with zero, which is known exactly
+  none.n = 2;
+  none.effective_sample_size = 1e9;
+  const statistics::MeanComparison c = paired
+                                           ? statistics::compare_means(differences_of(run, measured), none, kConfidence)
+                                           : statistics::compare_means(run.mean, measured.mean, kConfidence);
   ordered_json out{{"difference", c.difference}, {"difference_95", interval(c.interval)}, {"p", c.test.p_value}};
+  out["paired"] = paired;
+  if (paired) {
+    // The error of the second mean acts on the difference alone, and is of second order here.
+    if (const double one = measured.mean.mean; one > 0.0) {
+      out["ratio"] = 1.0 + c.difference / one;
+      out["ratio_95"] = {1.0 + c.interval.lower / one, 1.0 + c.interval.upper / one};
+    }
+    return out;
+  }
   if (run.mean.mean > 0.0 && measured.mean.mean > 0.0) {
     const statistics::RatioComparison ratio = statistics::compare_ratio(run.mean, measured.mean, kConfidence);
     out["ratio"] = ratio.ratio;
@@ -240,11 +270,18 @@ bool acts_downwards(const ordered_json& side) {
                                     side["maximum"].get<double>());
 }
 
+/// "p = 0.034"; what is far below any test's own accuracy is a bound.
+std::string p_text(double p) {
+  constexpr double kLeast = 1e-6;
+  return p < kLeast ? fmt::format("p < {:g}", kLeast) : fmt::format("p = {:.2g}", p);
+}
+
 std::string ratio_row(const char* name, const ordered_json& out, const char* key) {
   if (!out.contains(key) || !out[key].contains("ratio")) return fmt::format("  {:<20} cannot be compared\n", name);
   const ordered_json& c = out[key];
-  return fmt::format("  {:<20}{:8.3f}  [{:.3f}, {:.3f}]   p = {:.2g}\n", name, c["ratio"].get<double>(),
-                     c["ratio_95"][0].get<double>(), c["ratio_95"][1].get<double>(), c["p_adjusted"].get<double>());
+  return fmt::format("  {:<20}{:8.3f}  [{:.3f}, {:.3f}]   {}\n", name, c["ratio"].get<double>(),
+                     c["ratio_95"][0].get<double>(), c["ratio_95"][1].get<double>(),
+                     p_text(c["p_adjusted"].get<double>()));
 }
 
 }  // namespace
@@ -281,7 +318,7 @@ ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::
     for (const LoadHistory& load : *loads)
       dead_band = std::max(dead_band, statistics::noise_band(load.history, load.even));
   const Side run(runs, dead_band), measured(measured_runs, dead_band);
-  ordered_json out{{"run", side_json(run)}, {"measured", side_json(measured)}};
+  ordered_json out{{"run", side_json(run)}, {"measured", side_json(measured)}, {"dead_band", dead_band}};
   out["mean"] = mean_json(run, measured);
   if (run.squares.mean > 0.0 && measured.squares.mean > 0.0)
     out["deviation"] = ratio_json(statistics::compare_deviations(run.squares, measured.squares, kConfidence));
@@ -330,8 +367,16 @@ std::string comparison_text(const ordered_json& c) {
   text += ratio_row("mean", c, "mean") + ratio_row("deviation", c, "deviation") +
           ratio_row("mean peak", c, "mean_peak") + ratio_row("peaks a second", c, "peak_rate");
   const ordered_json& d = c["distribution"];
-  text += fmt::format("  distributions       largest distance {:.3f} (Kolmogorov-Smirnov), p = {:.2g}\n",
-                      d["largest_distance"].get<double>(), d["p_adjusted"].get<double>());
+  text += fmt::format("  distributions       largest distance {:.3f} (Kolmogorov-Smirnov), {}\n",
+                      d["largest_distance"].get<double>(), p_text(d["p_adjusted"].get<double>()));
+  text +=
+      fmt::format("  peaks               of load events beyond {:.3g} about the mean, the larger noise floor of both\n",
+                  c["dead_band"].get<double>());
+  if (c["mean"]["paired"].get<bool>())
+    text +=
+        "  two columns of one file: the means are compared by their differences in time; the other tests take the "
+        "columns "
+        "as independent\n";
   if (const ordered_json& s = c["spectrum"]; !s.is_null())
     text += fmt::format(
         "  spectra             {:.0f} % of {} lines outside the 95 % band ({:.0f} % in shape alone), correlation of "

@@ -50,6 +50,22 @@ BOOST_AUTO_TEST_CASE(a_history_does_not_differ_from_itself) {
   BOOST_TEST(contains(comparison_text(c), "no difference at 5 %"));
 }
 
+BOOST_AUTO_TEST_CASE(two_columns_of_one_file_are_compared_by_their_differences) {
+  LoadHistory load = noise(1, 2000, 100.0, 20.0), beside = load;
+  const LoadHistory error = noise(2, 2000, 0.0, 1.0);
+  for (std::size_t i = 0; i < beside.history.values.size(); ++i)
+    beside.history.values[i] += 1.0 + error.history.values[i];
+  // Of two files, an offset of 1 is lost in a deviation of 20.
+  BOOST_TEST(compare_histories(load, beside)["mean"]["p"].get<double>() > 0.1);
+  load.file = beside.file = "sensors.csv";
+  const auto c = compare_histories(load, beside);
+  BOOST_TEST(c["mean"]["p"].get<double>() < 1e-6);
+  BOOST_TEST(c["mean"]["difference_95"][0].get<double>() < -1.0);
+  BOOST_TEST(c["mean"]["difference_95"][1].get<double>() > -1.2);
+  BOOST_TEST(contains(comparison_text(c), "two columns of one file"));
+  BOOST_TEST(contains(comparison_text(c), "p < 1e-06"));
+}
+
 BOOST_AUTO_TEST_CASE(a_short_history_is_named) {
   // A memory of five steps: the autocorrelation time is 4.5 of them.
   const LoadHistory lasting = noise(1, 2000, 100.0, 20.0), brief = noise(2, 100, 100.0, 20.0);
