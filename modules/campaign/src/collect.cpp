@@ -200,7 +200,10 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
   out["warnings"] = warnings;
   out["stopped_by"] = stopped_by(plan, setting, schedule);
   out["statistics"] = Json::object();
-  for (std::size_t c = 0; c < plan.columns.size(); ++c) out["statistics"][plan.columns[c]] = statistic(by_column[c]);
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+    out["statistics"][plan.columns[c]] = statistic(by_column[c]);
+    out["statistics"][plan.columns[c]]["unit"] = unit_of(plan.columns[c]);
+  }
   return out;
 }
 

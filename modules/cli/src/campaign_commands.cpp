@@ -126,31 +126,70 @@ std::vector<std::string> shown_columns(const nlohmann::ordered_json& statistics)
   return columns;
 }
 
+/// The unit in which a column is shown: newtons and joules by the size of the largest mean, others as they are.
+std::map<std::string, analysis::TableUnit> units_of(const nlohmann::ordered_json& settings) {
+  std::map<std::string, std::vector<double>> means;  // by unit
+  for (const auto& setting : settings)
+    for (const auto& [column, statistic] : setting.at("statistics").items())
+      if (statistic.at("mean").is_number())
+        means[statistic.value("unit", "1")].push_back(statistic.at("mean").get<double>());
+  std::map<std::string, analysis::TableUnit> units;
+  for (const auto& [unit, values] : means)
+    units[unit] = unit == "N" || unit == "J" ? analysis::unit_for(values, unit.c_str())
+                                             : analysis::TableUnit{1.0, unit == "1" ? "" : unit};
+  return units;
+}
+
+/// "120.4 kN  [101.3, 139.5]". Where a number cannot be negative, neither can an end of its interval.
+std::string mean_text(const nlohmann::ordered_json& statistic, const std::string& column,
+                      const analysis::TableUnit& unit) {
+  const auto number = [&](double value) {
+    return unit.one != 1.0 ? fmt::format("{:.1f}", value / unit.one) : fmt::format("{:.6g}", value);
+  };
+  std::string text = fmt::format("{:>12} {:<5}", number(statistic.at("mean").get<double>()), unit.name);
+  const auto& interval = statistic.at("mean_95");
+  if (interval.is_null()) return text;
+  const bool is_positive = column.find("deviation") != std::string::npos || column.starts_with("n_");
+  const double lower = interval[0].get<double>();
+  return text + fmt::format("  [{}, {}]", number(is_positive ? std::max(0.0, lower) : lower),
+                            number(interval[1].get<double>()));
+}
+
+/// The warnings of all cases, each once.
+std::string warnings_text(const nlohmann::ordered_json& settings) {
+  std::map<std::string, std::pair<int, int>> found;  // cases and settings
+  for (const auto& setting : settings)
+    for (const auto& [id, n] : setting.value("warnings", nlohmann::ordered_json::object()).items()) {
+      found[id].first += n.get<int>();
+      ++found[id].second;
+    }
+  std::string text;
+  for (const auto& [id, n] : found)
+    text += fmt::format("warning: {}: {} cases of {} settings\n", id, n.first, n.second);
+  return text;
+}
+
 /// The means of each setting.
 std::string means_table(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
+  const auto& settings = summary.at("settings");
+  const auto units = units_of(settings);
   std::string text =
       analysis::origin_text(summary) + fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
-  for (const auto& setting : summary.at("settings")) {
+  for (const auto& setting : settings) {
     const std::string name = setting.at("setting");
     std::string shown = name;
     for (const std::string& column : shown_columns(setting.at("statistics"))) {
       if (!setting.at("statistics").contains(column)) continue;
       const auto& statistic = setting.at("statistics").at(column);
       if (statistic.at("mean").is_null()) continue;
-      text += fmt::format("{:<36} {:>4}  {:<23} {:>12.6g}", shown, statistic.at("n").get<int>(), column,
-                          statistic.at("mean").get<double>());
-      if (const auto& interval = statistic.at("mean_95"); !interval.is_null())
-        text += fmt::format("  [{:.6g}, {:.6g}]", interval[0].get<double>(), interval[1].get<double>());
-      text += '\n';
+      text += fmt::format("{:<36} {:>4}  {:<30} {}\n", shown, statistic.at("n").get<int>(), column,
+                          mean_text(statistic, column, units.at(statistic.value("unit", "1"))));
       shown.clear();
     }
     text += without_mean(shown, setting);
-    if (setting.contains("warnings"))
-      for (const auto& [id, n] : setting.at("warnings").items())
-        text += fmt::format("{:<36} {:>4}  warning: {}\n", "", n.get<int>(), id);
   }
-  return text;
+  return text + warnings_text(settings);
 }
 
 /// Whether the tables are of the cases that there are now: a collector may have been killed before it wrote them again.
