@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brash/analysis/closed_forms.hpp"
+#include "brash/analysis/tables.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/standards/inputs.hpp"
 
@@ -83,14 +84,6 @@ std::string inputs_text(const ordered_json& loads) {
 }
 
 }  // namespace
-
-TableUnit unit_for(std::span<const double> values, const char* si) {
-  double largest = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  if (largest == 0.0 || largest >= 1e3) return {1e3, fmt::format("k{}", si)};
-  return largest >= 1.0 ? TableUnit{1.0, si} : TableUnit{1e-3, fmt::format("m{}", si)};
-}
 
 std::string loads_text(const ordered_json& loads) {
   std::vector<double> all;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "brash/analysis/closed_forms.hpp"
 #include "brash/analysis/resistance.hpp"
 #include "brash/analysis/tables.hpp"
 

@@ -83,6 +83,14 @@ std::optional<double> number_in(const std::string& cell) {
   return value;
 }
 
+TableUnit unit_for(std::span<const double> values, const char* si) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  if (largest == 0.0 || largest >= 1e3) return {1e3, fmt::format("k{}", si)};
+  return largest >= 1.0 ? TableUnit{1.0, si} : TableUnit{1e-3, fmt::format("m{}", si)};
+}
+
 nlohmann::ordered_json estimate_json(const statistics::Estimate& e) {
   return {{"value", e.value}, {"interval_95", {e.interval.lower, e.interval.upper}}};
 }

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "brash/analysis/closed_forms.hpp"
 #include "brash/analysis/resistance.hpp"
+#include "brash/analysis/tables.hpp"
 #include "brash/report/pictures.hpp"
 #include "chart.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -28,16 +27,6 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
 /// Closed-form loads that fit a case's structure, with components, inputs (SI) and source: a ship's resistance
 /// (Lindqvist, Riska, Jeong); on a slope Croasdale, Ralston (cones), Nevel and crushing; on a wall crushing.
 nlohmann::ordered_json closed_form_loads(const model::Case& resolved);
-
-/// A unit of a table's numbers.
-struct TableUnit {
-  double one;        ///< of SI
-  std::string name;  ///< such as kN
-};
-
-/// The unit in which the largest of `values` has a digit before the point: kilo-, or at the scale of a basin less.
-/// @param si  the unit of the values, such as N. Values that are not finite do not count.
-TableUnit unit_for(std::span<const double> values, const char* si);
 
 /// The same as text for a reader.
 std::string loads_text(const nlohmann::ordered_json& loads);

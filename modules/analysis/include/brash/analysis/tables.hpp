@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,16 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
 
 /// The finite number in a cell; nothing when there is none.
 std::optional<double> number_in(const std::string& cell);
+
+/// A unit of a table's numbers.
+struct TableUnit {
+  double one;        ///< of SI
+  std::string name;  ///< such as kN
+};
+
+/// The unit in which the largest of `values` has a digit before the point: kilo-, or at the scale of a basin less.
+/// @param si  the unit of the values, such as N. Values that are not finite do not count.
+TableUnit unit_for(std::span<const double> values, const char* si);
 
 /// A value with its 95 % interval, as `value` and `interval_95`.
 nlohmann::ordered_json estimate_json(const statistics::Estimate& estimate);
