@@ -322,8 +322,7 @@ Memory is the reason. A floe in a pack of $10^4$ takes only 1.10 times the instr
 solver reads 64 bytes for each contact point, and 260 more for each point that presses. Beyond some hundred floes these bytes do not
 fit a core's own cache. Bullet's own world grows more.
 
-Arms in place of rows halve the bytes, but take 1.3 to 1.5 times the solver's time. Huge pages take 0.93 to 0.97 of the time at
-$10^4$ floes (`GLIBC_TUNABLES=glibc.malloc.hugetlb=1`).
+Huge pages take 0.93 to 0.97 of the time at $10^4$ floes (`GLIBC_TUNABLES=glibc.malloc.hugetlb=1`).
 """
 
 
