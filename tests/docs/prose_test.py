@@ -127,6 +127,12 @@ class Documents(unittest.TestCase):
         self.assertGreater(found.words, 10_000)
         self.expect_readable(found)
 
+    def test_no_line_begins_with_a_per_cent_sign(self):
+        # The site's parser (MyST) takes such a line for a comment, and its text would be lost.
+        lost = [f"{file.relative_to(SOURCE)}: {line}" for file in DOCUMENTS
+                for line in re.sub(r"```.*?```", "", text_of(file), flags=re.DOTALL).splitlines() if re.match(r"\s{0,3}%", line)]
+        self.assertEqual(lost, [])
+
     def expect_readable(self, found):
         self.assertLessEqual(found.median, MOST_MEDIAN)
         self.assertLessEqual(found.at_90, MOST_90)

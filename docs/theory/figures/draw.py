@@ -17,16 +17,20 @@ import contacts
 import cracks
 import cuts
 import edge
+import floes
 import histories
+import hull
+import ice
 import measured
 import moving_edge
 import plate
+import step
 import water
 
 FIGURES = {"contacts": contacts.draw, "water": water.draw, "cuts": cuts.draw, "crack-patterns": cracks.draw,
            "histories": histories.draw, "plate": plate.draw, "closed-forms": closed_forms.draw,
            "edge": edge.draw, "moving-edge": moving_edge.draw, "solver": measured.solver,
-           "crushed": measured.crushed}
+           "crushed": measured.crushed, "step": step.draw, "hull": hull.draw, "floes": floes.draw, "ice": ice.draw}
 
 
 def main():

@@ -19,7 +19,7 @@ EDGES = (("straight, $c$ = 0.3 $l_c$", {"b_lc": 0.0, "c_lc": 0.3, "theta": 0.0})
 
 def draw():
     figure, axes = plt.subplots(1, 3, figsize=(11, 3.4), constrained_layout=True)
-    case = brash.Case.from_file(CASE)
+    case = brash.Case.from_file(CASE, {"failure.length_density": "water"})  # as in `brash`, which moves the edge
     l_c = brash.characteristic_length(case)
     speed = np.geomspace(0.02, 5.0, 61)
     of_model, of_plate = brash.MovingEdge(case), brash.MovingEdge(case, "fem")
