@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "brash/analysis/tables.hpp"
+#include "brash/analysis/closed_forms.hpp"
 #include "brash/analysis/history_statistics.hpp"
+#include "brash/analysis/tables.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "messages.hpp"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <vector>
 
 #include "brash/core/contract.hpp"
@@ -218,10 +219,11 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_CASE(kendall_s_tau_over_strata_is_one_stratum_s_where_all_rise_as_far_as_they_can) {
   // Two groups of two: 4 of 6 pairs can rise, tau-b 4/sqrt(4 6). Shifts between strata change nothing.
+  using Strata = std::vector<std::vector<Samples>>;
   const Strata rising{{{1, 2}, {3, 4}}, {{30, 40}, {50, 60}}};
-  BOOST_TEST(kendall_tau({rising.front()}) == 4.0 / std::sqrt(24.0), tolerance(1e-14));
+  BOOST_TEST(kendall_tau(Strata{rising.front()}) == 4.0 / std::sqrt(24.0), tolerance(1e-14));
   BOOST_TEST(kendall_tau(rising) == 4.0 / std::sqrt(24.0), tolerance(1e-14));
   // The second falls as far as the first rises.
-  BOOST_TEST(kendall_tau({rising.front(), {{3, 4}, {1, 2}}}) == 0.0);
-  BOOST_TEST(kendall_tau({{{1}, {1}}}) == 0.0);
+  BOOST_TEST(kendall_tau(Strata{rising.front(), {{3, 4}, {1, 2}}}) == 0.0);
+  BOOST_TEST(kendall_tau(Strata{{{1}, {1}}}) == 0.0);
 }
