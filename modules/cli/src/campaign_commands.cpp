@@ -146,23 +146,25 @@ std::string mean_text(const nlohmann::ordered_json& statistic, const std::string
   const auto number = [&](double value) {
     return unit.one != 1.0 ? fmt::format("{:.1f}", value / unit.one) : fmt::format("{:.6g}", value);
   };
-  std::string text = fmt::format("{:>12} {:<5}", number(statistic.at("mean").get<double>()), unit.name);
+  const std::string text = fmt::format("{:>12} {}", number(statistic.at("mean").get<double>()), unit.name);
   const auto& interval = statistic.at("mean_95");
   if (interval.is_null()) return text;
   const bool is_positive = column.find("deviation") != std::string::npos || column.starts_with("n_");
   const double lower = interval[0].get<double>();
-  return text + fmt::format("  [{}, {}]", number(is_positive ? std::max(0.0, lower) : lower),
-                            number(interval[1].get<double>()));
+  return text + fmt::format("{:{}}[{}, {}]", "", 6 - std::min<std::size_t>(5, unit.name.size()),
+                            number(is_positive ? std::max(0.0, lower) : lower), number(interval[1].get<double>()));
 }
 
 /// The warnings of all cases, each once.
 std::string warnings_text(const nlohmann::ordered_json& settings) {
   std::map<std::string, std::pair<int, int>> found;  // cases and settings
-  for (const auto& setting : settings)
-    for (const auto& [id, n] : setting.value("warnings", nlohmann::ordered_json::object()).items()) {
+  for (const auto& setting : settings) {
+    const auto warnings = setting.value("warnings", nlohmann::ordered_json::object());
+    for (const auto& [id, n] : warnings.items()) {
       found[id].first += n.get<int>();
       ++found[id].second;
     }
+  }
   std::string text;
   for (const auto& [id, n] : found)
     text += fmt::format("warning: {}: {} cases of {} settings\n", id, n.first, n.second);

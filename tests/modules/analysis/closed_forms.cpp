@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/analysis/case_forms.hpp"
+#include "brash/analysis/tables.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "history_file.hpp"
