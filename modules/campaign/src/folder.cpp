@@ -156,8 +156,11 @@ void Folder::prepare(bool resume) {
                     "give another folder",
                     directory_));
   refuse_other_keep();
-  for (const fs::path& written_to : {fs::path(directory_), cases, fs::path(directory_) / "settings"})
+  const fs::path inputs = fs::path(directory_) / "inputs";
+  for (const fs::path& written_to : {fs::path(directory_), cases, fs::path(directory_) / "settings", inputs})
     remove_parts(written_to);
+  for (const auto& entry : fs::directory_iterator(inputs, reason))
+    if (entry.is_directory(reason)) remove_parts(entry.path());
   // A worker that was killed just after it gave the folder of a case its name left the lock there.
   for (const auto& entry : fs::directory_iterator(cases))
     if (entry.path().extension() != ".part") FolderLock::remove_stale((entry.path() / "lock").string());

@@ -110,9 +110,10 @@ class Command(unittest.TestCase):
         self.assertEqual(status["n_done"] + status["n_missing"], 12)
         self.assertGreater(status["n_missing"], 0)
         self.assertFalse((folder / "campaign.csv").exists())
-        # As a worker leaves them that is killed when its case has just got its name, and one that is killed at work.
+        # As a worker leaves them that is killed when its case has just got its name, and one that is killed at work, or while
+        # inputs are copied.
         done = next((folder / "cases").glob("*[0-9]"))
-        left = [done / "lock", folder / "cases" / (done.name + ".messages.1.part")]
+        left = [done / "lock", folder / "cases" / (done.name + ".messages.1.part"), folder / "inputs" / "plan.toml.1.part"]
         for path in left:
             path.touch()
         self.assertEqual(quick(folder, "--resume").returncode, 0)
