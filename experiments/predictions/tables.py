@@ -147,7 +147,7 @@ def series_lines(prediction, rows, measured, statistic, compared):
         missing = "Not measured." + " The criterion checks it, so this part of the verdict stays open." * (statistic in JUDGED)
         return [*lines, "No interval: fewer than two points have this number." if given else missing, ""]
     if statistic in JUDGED:
-        lines += ["| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
+        lines += ["| test | predicted | interval | measured | ratio | error E | u_val | model error | error shown | inside |",
                   "|---|---|---|---|---|---|---|---|---|---|", *map(test_line, found), ""]
         farthest = max(found, key=lambda row: abs(math.log(row["ratio"])) if row["ratio"] > 0.0 else math.inf)
         lines += [f"Worst miss: {farthest['test']}, predicted {number(farthest['ratio'])} times the measured value.", ""] * (len(found) > 1)
@@ -320,8 +320,8 @@ def signs(predictions, rows_elsewhere, family, preset):
         elif too_few != NOT_RUN:
             fewer[name] = too_few
     verdicts = judged(found, family) if found else {}
-    lines = ["## Ten signs", "",
-             "| sign | verdict | p, Holm | claim farthest from the sign's statement | effect (95 %) | unsettled runs |",
+    lines = ["## Ten trends", "",
+             "| trend | verdict | p, Holm | claim farthest from the statement | effect (95 %) | unsettled runs |",
              "|---|---|---|---|---|---|"]
     not_run = []
     for name, prediction in predictions.items():
