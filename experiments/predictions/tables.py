@@ -70,7 +70,7 @@ def joined(found, table, path):
 def histories(options):
     """Statistics of each measured history of a folder, by `brash stats`."""
     if not options.data.is_dir():
-        raise BadInput(f"--data {options.data}: is no folder; name the folder of the unpacked data set")
+        raise BadInput(f"--data {options.data}: is not a folder; name the folder of the unpacked data set")
     files = sorted(options.data.glob("*.csv"))
     if not files:
         raise BadInput(f"--data {options.data}: has no CSV file; convert the histories to CSV with a column of time [s]")
