@@ -122,17 +122,13 @@ def site_ice(schema):
     sites = ice["sites"]
     lines = ["## Site ice", "",
              "`brash new --ice NAME` and `brash schema --template --ice NAME` write the ice and water of a site, with a source beside each",
-             "value (Python: `brash.new_case(ice=NAME)`). The default `basin` is the validation case's. The others are typical values to",
-             "begin with: put in what is known of your site.", "",
+             "value (Python: `brash.new_case(ice=NAME)`). The default `basin` is the validation case's. The others are typical values of",
+             "first-year ice in the northern Baltic, the Bohai Sea and the Arctic in winter: put in what is known of your site.", "",
              "| key | " + " | ".join(f"`{name}`" for name in sites) + " |",
              "|---|" + "---|" * len(sites)]
     for path in ice["keys"]:
         values = " | ".join(str(site_value(schema, site, path)) for site in sites.values())
         lines.append(f"| `{path}` | {values} |")
-    lines += ["", "| ice | what it is | remarks |", "|---|---|---|"]
-    for name, site in sites.items():
-        remarks = [site.get("brine", "")] + [remark for _, remark in site["values"].values()]
-        lines.append(f"| `{name}` | {site['name']} | {' '.join(filter(None, remarks))} |")
     lines += ["", "| source | title |", "|---|---|"]
     lines += [f"| {name} | {title} |" for name, title in ice["sources"].items()]
     return lines + [""]
