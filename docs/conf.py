@@ -92,8 +92,14 @@ def without_field_numbers(app, what, name, value, options, lines):
         lines.clear()
 
 
+def with_overloads_as_code(app, what, name, value, options, lines):
+    """The signatures in the list of a function's overloads are code: their stars are no marks of emphasis."""
+    lines[:] = [re.sub(r"^(\d+\. )(\w+\(.*)$", r"\1``\2``", line.replace("brash._brash.", "")) for line in lines]
+
+
 def setup(app):
     app.connect("source-read", follow_links)
     app.connect("source-read", add_the_help_of_each_command)
     app.connect("autodoc-process-docstring", without_field_numbers)
+    app.connect("autodoc-process-docstring", with_overloads_as_code)
     app.connect("autodoc-process-signature", without_the_inner_module)

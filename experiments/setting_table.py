@@ -67,7 +67,7 @@ def main():
     known = [name for name in rows[0] if all(name in row for row in rows)]
     for column in options.columns or []:
         if column.partition("/")[0] not in known:
-            parser.error(f"--column {column}: is no column of the files; they have {', '.join(known)}")
+            parser.error(f"--column {column}: is not a column of the files; they have {', '.join(known)}")
     print(table(rows, options.columns or [column for column in COLUMNS if column.partition("/")[0] in known]))
 
 

@@ -76,7 +76,7 @@ class Prediction:
                 self.refuse(key, "needs a range", "write low and high, or choices")
             for name in ("low", "high"):
                 if not isinstance(unknown.get(name, 0.0), (int, float)):
-                    self.refuse(f"{key}.{name} = {unknown[name]!r}", "is no number", "write the number, and its unit as `unit`")
+                    self.refuse(f"{key}.{name} = {unknown[name]!r}", "is not a number", "write the number, and its unit as `unit`")
             if "low" in unknown and not unknown["low"] < unknown.get("high", -math.inf):
                 self.refuse(f"{key}.low = {unknown['low']}", "is not below high", "swap the two")
         if self.own_runs and not 1 <= self.ensemble["points"] <= self.ensemble["most_points"]:

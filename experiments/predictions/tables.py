@@ -70,7 +70,7 @@ def joined(found, table, path):
 def histories(options):
     """Statistics of each measured history of a folder, by `brash stats`."""
     if not options.data.is_dir():
-        raise BadInput(f"--data {options.data}: is no folder; name the folder of the unpacked data set")
+        raise BadInput(f"--data {options.data}: is not a folder; name the folder of the unpacked data set")
     files = sorted(options.data.glob("*.csv"))
     if not files:
         raise BadInput(f"--data {options.data}: has no CSV file; convert the histories to CSV with a column of time [s]")
@@ -147,7 +147,7 @@ def series_lines(prediction, rows, measured, statistic, compared):
         missing = "Not measured." + " The criterion checks it, so this part of the verdict stays open." * (statistic in JUDGED)
         return [*lines, "No interval: fewer than two points have this number." if given else missing, ""]
     if statistic in JUDGED:
-        lines += ["| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
+        lines += ["| test | predicted | interval | measured | ratio | error E | u_val | model error | error shown | inside |",
                   "|---|---|---|---|---|---|---|---|---|---|", *map(test_line, found), ""]
         farthest = max(found, key=lambda row: abs(math.log(row["ratio"])) if row["ratio"] > 0.0 else math.inf)
         lines += [f"Worst miss: {farthest['test']}, predicted {number(farthest['ratio'])} times the measured value.", ""] * (len(found) > 1)
@@ -320,8 +320,8 @@ def signs(predictions, rows_elsewhere, family, preset):
         elif too_few != NOT_RUN:
             fewer[name] = too_few
     verdicts = judged(found, family) if found else {}
-    lines = ["## Ten signs", "",
-             "| sign | verdict | p, Holm | claim farthest from the sign's statement | effect (95 %) | unsettled runs |",
+    lines = ["## Ten trends", "",
+             "| trend | verdict | p, Holm | claim farthest from the statement | effect (95 %) | unsettled runs |",
              "|---|---|---|---|---|---|"]
     not_run = []
     for name, prediction in predictions.items():

@@ -53,7 +53,7 @@ class Reader {
       if (position && position->x && position->y) {
         result = Origin{*position->x, *position->y};
       } else {
-        fail(root_, "\"origin\" is no array of two numbers below 10^15 m");
+        fail(root_, "\"origin\" is not an array of two numbers below 10^15 m");
       }
     }
     if (error_) return tl::unexpected(*error_);
@@ -173,9 +173,10 @@ class Reader {
       const std::string value = is_number                     ? fmt::format("{}", node->number)
                                 : node->kind == Kind::kString ? fmt::format("\"{}\"", node->text)
                                                               : "(true, false, an array or an object)";
-      fail(properties, fmt::format("\"{}\" = {} is no number of {} above 0: write one, without quotes, or remove the "
-                                   "property",
-                                   name, value, unit));
+      fail(properties,
+           fmt::format("\"{}\" = {} is not a number of {} above 0: write one, without quotes, or remove the "
+                       "property",
+                       name, value, unit));
     }
     return is_number ? std::optional(node->number) : std::nullopt;
   }

@@ -118,7 +118,7 @@ class Reader {
     const std::string name = "EPSG:" + code;
     if (code.empty()) fail_at(start, "SRID= is followed by no code of EPSG");
     if (is_geographic(name)) fail_at(start, degrees_refused(name));
-    if (!code_.empty() && code_ != code) fail_at(start, fmt::format("SRID={} stands after SRID={}", code, code_));
+    if (!code_.empty() && code_ != code) fail_at(start, fmt::format("SRID={} comes after SRID={}", code, code_));
     code_ = code;
   }
   std::string crs() const { return code_.empty() ? "" : crs_of_code(code_); }

@@ -4,6 +4,7 @@
 import json
 import math
 import pathlib
+import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -13,13 +14,14 @@ INTRODUCTION = """\
 <!-- Written by modules/io/case_reference.py from modules/io/case.schema.json and site_ice.json; change those. -->
 # The case file
 
+*Which keys has a case, and which values may they have?*
+
 A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and below them lines `key = value`.
 
 - **Units.** A bare number has the unit below (SI, angles in rad). A string has its own, read by UDUNITS-2:
   `thickness = "33 cm"`, `angle = "61.4 deg"`. `nmi` is the nautical mile, `ppt` parts per thousand. Exponents are whole
   numbers, but for a toughness: `"0.15 MPa m^0.5"`. Angles and ratios do not convert into each other.
-- **Errors.** An unknown, missing or doubled key, a wrong unit or a value out of range ends the command with exit code 2.
-  The message names file, line, column, key, value, the allowed values and the remedy.
+- **Errors.** A wrong key, unit or value ends the command with exit code 2. The message names the place and the remedy.
 - **Overrides.** `--set section.key=value` wins over the file. A value that is not TOML is a string, so
   `--set 'ice.thickness=40 cm'` needs no inner quotes.
 - **Templates.** `brash schema --template` prints a case with every key, `brash check CASE.toml --keys` a case in SI with its
@@ -27,8 +29,11 @@ A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and belo
   `#:schema case.schema.json`.
 
 In the tables, `[0, 1)` is the range from 0 to below 1. Names in brackets after a meaning are the kinds that have the key.
-Equations, sections, tables and figures without another source are the paper's.
+Equations, sections, tables and figures are the paper's. `brash schema --template` prints the source of each default.
 """
+
+
+DOCUMENT = r"docs/(?:theory|decisions)/[\w-]+(?:\.md)?(?:,? \(\w+\))?"
 
 
 def toml(value):
@@ -87,20 +92,19 @@ def in_words(value, unit):
 
 
 def plausible_ranges(sections):
-    """The plausible values of keys, narrower than the allowed ones, with their sources."""
+    """The plausible values of keys, narrower than the allowed ones."""
     lines = ["## Plausible values", "",
              "`check`, `run` and the page of `brash new --page` [warn](warnings.md) of other values. Ice is model ice if it is at most",
              "as thick as model ice in this table, or if `reference.source` names a basin, an ice tank, a model test or model ice. Its",
-             "values may lie in either column, those at sea in the first.", "",
-             "| key | at sea | model ice | sources |", "|---|---|---|---|"]
+             "values may be in either column. `brash schema --template` prints the sources.", "",
+             "| key | at sea | model ice |", "|---|---|---|"]
     for section, content in sections.items():
         for name, key in content["properties"].items():
             if "x-plausible" not in key:
                 continue
             ranges = [key["x-plausible"].get(column) for column in ("sea", "model")]
             cells = [f"{in_words(of['least'], key['x-unit'])} to {in_words(of['most'], key['x-unit'])}" if of else "" for of in ranges]
-            sources = "; ".join(f"{title}: {of['source']}" for title, of in zip(("sea", "model ice"), ranges) if of)
-            lines.append(f"| `{section}.{name}` | {' | '.join(cells)} | {sources} |")
+            lines.append(f"| `{section}.{name}` | {' | '.join(cells)} |")
     return lines + [""]
 
 
@@ -113,22 +117,18 @@ def site_value(schema, site, path):
 
 
 def site_ice(schema):
-    """Typical ice of sites, with what each value rests on."""
+    """Typical ice of sites."""
     ice = json.loads((HERE / "site_ice.json").read_text(encoding="utf-8"))
     sites = ice["sites"]
     lines = ["## Site ice", "",
-             "`brash schema --template --ice NAME` and `brash new --ice NAME` write the ice and water of a site, with a source beside each",
-             "value (Python: `brash.template(ice=NAME)`, `brash.new_case(ice=NAME)`). The default `basin` is the validation case's. The",
-             "others are typical values to begin with: put in what is known of your site.", "",
-             "| key | " + " | ".join(f"`{name}`" for name in sites) + " | source |",
-             "|---|" + "---|" * len(sites) + "---|"]
-    for path, source in ice["keys"].items():
+             "`brash new --ice NAME` and `brash schema --template --ice NAME` write the ice and water of a site, with a source beside each",
+             "value (Python: `brash.new_case(ice=NAME)`). The default `basin` is the validation case's. The others are typical values of",
+             "first-year ice in the northern Baltic, the Bohai Sea and the Arctic in winter: put in what is known of your site.", "",
+             "| key | " + " | ".join(f"`{name}`" for name in sites) + " |",
+             "|---|" + "---|" * len(sites)]
+    for path in ice["keys"]:
         values = " | ".join(str(site_value(schema, site, path)) for site in sites.values())
-        lines.append(f"| `{path}` | {values} | {source} |")
-    lines += ["", "| ice | what it is | remarks |", "|---|---|---|"]
-    for name, site in sites.items():
-        remarks = [site.get("brine", "")] + [remark for _, remark in site["values"].values()]
-        lines.append(f"| `{name}` | {site['name']} | {' '.join(filter(None, remarks))} |")
+        lines.append(f"| `{path}` | {values} |")
     lines += ["", "| source | title |", "|---|---|"]
     lines += [f"| {name} | {title} |" for name, title in ice["sources"].items()]
     return lines + [""]
@@ -151,12 +151,27 @@ def default_of(key, name, section):
     return default
 
 
+def linked(path):
+    """The name of a page of the documents as a link from this page: docs/decisions/0005 or docs/theory/ice.md, (F8)."""
+    folder, name, label = re.match(r"docs/(\w+)/([\w-]+)(?:\.md)?(?:,? \((\w+)\))?", path).groups()
+    file = next((PAGE.parents[1] / folder).glob(f"{name}*.md")).name
+    title = label or (f"decision {int(name[:4])}" if folder == "decisions" else name.replace("-", " "))
+    return f"[{title}](../{folder}/{file})"
+
+
+def meaning_of(key):
+    """The description, with links to the pages that its sources name; the other sources are left out, but for assumptions."""
+    text, _, sources = re.sub(r" Validation case: .*$", "", key["description"]).partition(" Source: ")
+    text = re.sub(DOCUMENT, lambda match: linked(match[0]), text)
+    pages = ", ".join(dict.fromkeys(linked(page) for page in re.findall(DOCUMENT, sources)))
+    return text + " Assumed." * sources.startswith("assumed") + f" ({pages})" * bool(pages)
+
+
 def row(key, name, section):
     unit = key.get("x-unit", "1")
     named = f"`{name}`" + f" [{OTHER_UNITS.get(unit, unit)}]" * (unit != "1")
     kinds = ", ".join(f"`{kind}`" for kind in key.get("x-kinds", []))
-    meaning = key["description"] + f" ({kinds})" * bool(kinds)
-    return f"| {named} | {default_of(key, name, section)} | {allowed(key)} | {meaning} |"
+    return f"| {named} | {default_of(key, name, section)} | {allowed(key)} | {meaning_of(key)}{f' ({kinds})' * bool(kinds)} |"
 
 
 def page():

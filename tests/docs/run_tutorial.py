@@ -5,6 +5,7 @@ run_tutorial.py TUTORIAL.md SOURCES FOLDER
 
 A fence `sh` is a script of commands, each of which must succeed, and of `sh refused` each line must be refused with exit code 2;
 `python` is a script, and all of a page are one session; `toml NAME`, `text NAME` are files. Other fences and indented blocks are not run.
+A picture of docs/figures has as its title the file that the page makes, and that file must be there at the end.
 """
 import os
 import pathlib
@@ -13,6 +14,7 @@ import shutil
 import subprocess
 import sys
 
+FIGURE = re.compile(r'!\[[^]]*\]\(\.\./figures/[^ )]+(?: "([^"]*)")?\)')
 FENCE = re.compile(r"^```(\w+)[ ]*([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -22,9 +24,11 @@ def main():
     folder.mkdir(parents=True)
     (folder / "experiments").symlink_to(sources / "experiments")
     os.chdir(folder)
+    os.environ["MPLBACKEND"] = "agg"
     session = {"__name__": "__main__"}
     n_run = 0
-    for kind, name, text in FENCE.findall(page.read_text(encoding="utf-8")):
+    lines = page.read_text(encoding="utf-8")
+    for kind, name, text in FENCE.findall(lines):
         if kind == "sh":
             print(text, flush=True)
         if kind == "sh" and name == "refused":
@@ -42,6 +46,8 @@ def main():
         n_run += 1
     if n_run == 0:
         sys.exit(f"{page}: nothing to run")
+    for file in FIGURE.findall(lines):
+        assert pathlib.Path(file).is_file(), f"{page}: no command makes the picture '{file}'"
 
 
 if __name__ == "__main__":

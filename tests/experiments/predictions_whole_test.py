@@ -84,7 +84,7 @@ class Inputs(unittest.TestCase):
         text = (PREDICTIONS / "m3" / "prediction.toml").read_text(encoding="utf-8")
         for old, new, message in ((text.split('source = "', 2)[1].split('"')[0], "", "source and why"),
                                   ("low = 0.9\nhigh = 1.1", "low = 1.9\nhigh = 1.1", "swap the two"),
-                                  ("low = 0.9\nhigh = 1.1", "low = \"90 cm\"\nhigh = 1.1", "is no number"),
+                                  ("low = 0.9\nhigh = 1.1", "low = \"90 cm\"\nhigh = 1.1", "is not a number"),
                                   ("[criterion]", "[criterium]", "criterion: is missing"),
                                   ("[ensemble]", "[ensembel]", "is not a known key")):
             with tempfile.TemporaryDirectory() as folder:
@@ -154,7 +154,7 @@ class Measured(unittest.TestCase):
             options = predict.arguments().parse_args(words[:-4] + ["--column", "nothing"])
             with self.assertRaisesRegex(inputs.BadInput, "brash stats refuses it"):
                 tables.measured_rows(predict.prediction_of("m5"), options)
-        with self.assertRaisesRegex(inputs.BadInput, "is no folder"):
+        with self.assertRaisesRegex(inputs.BadInput, "is not a folder"):
             options = predict.arguments().parse_args(["verdict", "m5", "--data", "nowhere"])
             tables.measured_rows(predict.prediction_of("m5"), options)
 

@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(the_origin_of_the_file_yields_to_the_given_one) {
   const Map other = read_map(text, origin("499999.5,7000000")).value();
   BOOST_TEST((other.features.front().polygon.outline.front() == snap({0.5, 0})));
   BOOST_TEST(read_map(R"({"type":"Polygon","origin":[1],"coordinates":[]})").error().what ==
-             "line 1, column 1: \"origin\" is no array of two numbers below 10^15 m");
+             "line 1, column 1: \"origin\" is not an array of two numbers below 10^15 m");
 }
 
 BOOST_AUTO_TEST_CASE(degrees_are_refused_where_the_file_names_them_and_suspected_where_it_does_not) {

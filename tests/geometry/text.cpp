@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(what_the_plan_has_not_is_left_out_and_counted) {
   BOOST_TEST(fault_in("POLYGON ((0 0 4 0, 4 4, 0 0))") == "line 1, column 23: a number is expected, not ','");
   BOOST_TEST(fault_in("SRID=4326;POLYGON EMPTY").starts_with("line 1, column 1: the coordinates are degrees"));
   BOOST_TEST(fault_in("SRID=32633;POLYGON EMPTY SRID=32634;POLYGON EMPTY") ==
-             "line 1, column 26: SRID=32634 stands after SRID=32633");
+             "line 1, column 26: SRID=32634 comes after SRID=32633");
   BOOST_TEST(fault_in("SRID=;POLYGON EMPTY") == "line 1, column 1: SRID= is followed by no code of EPSG");
 }
 
@@ -307,7 +307,7 @@ BOOST_AUTO_TEST_CASE(a_whole_number_may_be_written_with_a_point) {
   for (const char* id : {"3.5", "1e300", "9007199254740993.0", "\"3\"", "true"}) {
     const Map map = read_map(with_properties(fmt::format("{{\"id\":{}}}", id))).value();
     BOOST_TEST(map.features.at(0).id == 0);
-    BOOST_TEST(map.left_out == "ids that are no whole numbers (1)");
+    BOOST_TEST(map.left_out == "ids that are not whole numbers (1)");
   }
 }
 
@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(heights_and_features_without_geometry_are_left_out_and_coun
   const Map map = read_map(text).value();
   BOOST_REQUIRE(map.features.size() == 1u);
   BOOST_TEST(map.features[0].id == 2);
-  BOOST_TEST(map.left_out == "heights (4), features without geometry (2), ids that are no whole numbers (1)");
+  BOOST_TEST(map.left_out == "heights (4), features without geometry (2), ids that are not whole numbers (1)");
   BOOST_TEST((read_polygons(text).value() == map));
   BOOST_TEST(read_lines(R"({"type":"LineString","coordinates":[[0,0,1],[1,0,1]]})").value().left_out == "heights (2)");
 }
@@ -328,12 +328,13 @@ BOOST_AUTO_TEST_CASE(ice_that_a_floe_cannot_have_is_refused) {
     const auto map = read_map(with_properties(properties));
     return map ? "" : map.error().what;
   };
-  BOOST_TEST(fault(R"({"thickness":"0.5"})") ==
-             "line 1, column 32: \"thickness\" = \"0.5\" is no number of metres above 0: write one, without quotes, or "
-             "remove the property");
-  BOOST_TEST(fault(R"({"thickness":0})").find("\"thickness\" = 0 is no number") != std::string::npos);
-  BOOST_TEST(fault(R"({"flexural_strength":-1.5})").find("= -1.5 is no number of pascals") != std::string::npos);
-  BOOST_TEST(fault(R"({"flexural_strength":[]})").find("is no number of pascals") != std::string::npos);
+  BOOST_TEST(
+      fault(R"({"thickness":"0.5"})") ==
+      "line 1, column 32: \"thickness\" = \"0.5\" is not a number of metres above 0: write one, without quotes, or "
+      "remove the property");
+  BOOST_TEST(fault(R"({"thickness":0})").find("\"thickness\" = 0 is not a number") != std::string::npos);
+  BOOST_TEST(fault(R"({"flexural_strength":-1.5})").find("= -1.5 is not a number of pascals") != std::string::npos);
+  BOOST_TEST(fault(R"({"flexural_strength":[]})").find("is not a number of pascals") != std::string::npos);
   BOOST_TEST(fault(R"({"thickness":0.5,"flexural_strength":null})") == "");
 }
 

@@ -179,7 +179,7 @@ print("ready", flush=True)
                 process.send_signal(signal.SIGINT)
                 _, err = process.communicate(timeout=60)
                 # A campaign takes the signal itself, and says how to go on.
-                self.assertRegex(err, "resume=True goes on" if "campaign" in call else "KeyboardInterrupt")
+                self.assertRegex(err, "resume=True continues" if "campaign" in call else "KeyboardInterrupt")
 
 
 if __name__ == "__main__":

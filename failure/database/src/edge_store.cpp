@@ -141,7 +141,7 @@ void check_solved(const Reader& file, const EdgeRecord& r) {
   const plate::EdgeGeometry& g = r.geometry;
   if (!(std::isfinite(g.depth) && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0 &&
         g.mass_ratio > 0.0))
-    refuse("is no geometry");
+    refuse("is not a geometry");
   for (const auto& v : kSeries)
     for (const double value : r.responses.*v.values)
       if (!std::isfinite(value)) refuse(fmt::format("{} has a value that is not finite", v.name));

@@ -68,7 +68,7 @@ class Table {
     const toml::node& node = get(key);
     const std::string allowed = fmt::format("a list of rising numbers from {} to {}", least, most);
     const toml::array* list = node.as_array();
-    if (list == nullptr || list->empty()) refuse(node, key, "is no list", allowed);
+    if (list == nullptr || list->empty()) refuse(node, key, "is not a list", allowed);
     std::vector<double> values;
     for (const toml::node& entry : *list) {
       const auto value = entry.value<double>();

@@ -175,7 +175,7 @@ void check_solved(const Reader& file, const Record& r) {
   const bool in_range =
       std::isfinite(g.depth) && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0;
   if (!in_range || !std::isfinite(g.depth + g.contact_length + g.thickness))
-    refuse(fmt::format("b/l_c = {}, c/l_c = {}, theta = {}, h/l_c = {} is no geometry", g.depth, g.contact_length,
+    refuse(fmt::format("b/l_c = {}, c/l_c = {}, theta = {}, h/l_c = {} is not a geometry", g.depth, g.contact_length,
                        g.angle, g.thickness));
   if (r.profiles.station.size() < 2 || r.rows.empty()) refuse("is solved, but has no profile or no load");
   UnitProfiles profiles = r.profiles;

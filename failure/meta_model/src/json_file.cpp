@@ -25,7 +25,7 @@ Json parse(const std::string& path) {
   try {
     return Json::parse(text);
   } catch (const Json::exception& error) {  // syntax, or a number beyond the range of a double
-    throw InputError(Complaint{path, fmt::format("is no JSON: {}", error.what()), kAllowed, "copy or write it again"});
+    throw InputError(Complaint{path, fmt::format("is not JSON: {}", error.what()), kAllowed, "copy or write it again"});
   }
 }
 

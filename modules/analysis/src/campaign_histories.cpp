@@ -36,7 +36,7 @@ ordered_json read_settings(const std::string& folder) {
   };
   if (!json.is_object() || !json.contains("settings") || !json["settings"].is_array() || json["settings"].empty() ||
       !std::ranges::all_of(json["settings"], is_setting))
-    throw InputError(Complaint{path, "is no summary of a campaign", kSummary, kResume});
+    throw InputError(Complaint{path, "is not a summary of a campaign", kSummary, kResume});
   return json["settings"];
 }
 
@@ -97,7 +97,7 @@ bool is_repeated(const TextTable& table, const TextTable::Row& row) {
 std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
                                                       const std::string& where) {
   if (!is_campaign(folder))
-    throw InputError(Complaint{folder, "is no campaign: it has no folder cases/", "the folder of a campaign",
+    throw InputError(Complaint{folder, "is not a campaign: it has no folder cases/", "the folder of a campaign",
                                "give the folder that `brash campaign` wrote"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;

@@ -65,7 +65,7 @@ InputOf<standards::CroasdaleInput> croasdale_input(const model::Case& c) {
 
 InputOf<standards::RalstonInput> ralston_input(const model::Case& c, standards::Yield yield) {
   const auto* const cone = std::get_if<model::Cone>(&c.structure.shape);
-  if (cone == nullptr) return tl::unexpected(standards::NotApplicable{"the structure is no cone"});
+  if (cone == nullptr) return tl::unexpected(standards::NotApplicable{"the structure is not a cone"});
   if (is_vertical(cone->angle)) return tl::unexpected(kBendsNothing);
   const bool downward = cone->breaking == model::Breaking::kDownward;
   const double slope_height = downward ? cone->height_under_water : cone->height - cone->height_under_water;
@@ -132,7 +132,7 @@ InputOf<standards::JeongInput> jeong_input(const model::Case& c) {
 
 /// A wedge of a half disc in front of a contact, loaded over one thickness from its tip.
 InputOf<standards::NevelInput> nevel_input(const model::Case& c, int wedges) {
-  if (wedges < 2) return tl::unexpected(standards::NotApplicable{"the whole half disc is no wedge: two at least"});
+  if (wedges < 2) return tl::unexpected(standards::NotApplicable{"the whole half disc is not a wedge: two at least"});
   standards::NevelInput input;
   input.wedge_angle = kPi / wedges;
   input.loaded_length = c.ice.thickness;
@@ -230,7 +230,7 @@ constexpr const char* kCrushingApplies = "a vertical face of the structure's wid
 constexpr const char* kLindqvistApplies =
     "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
 constexpr const char* kRiskaApplies = "merchant ships in level ice of the Baltic";
-constexpr const char* kJeongApplies = "icebreakers with a hull as that of the tests: neither its angles nor friction";
+constexpr const char* kJeongApplies = "icebreakers with a hull as in the tests: neither its angles nor friction";
 
 ordered_json croasdale_json(const model::Case& c) {
   constexpr const char* kMethod = "elastic beam, no rubble, weight in air";

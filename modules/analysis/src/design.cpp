@@ -39,8 +39,8 @@ ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings
 std::string too_long(const ExtremeAnalysis& extremes, double period, bool extrapolate) {
   const double records = period / extremes.values.duration;
   if (extrapolate || records <= kLongestPeriod) return "";
-  return fmt::format("{:.4g} times the {:.4g} s of all replicates, and {:g} times is the most: {:.3g} s of them",
-                     records, extremes.values.duration, kLongestPeriod, period / kLongestPeriod);
+  return fmt::format("{:.4g} times the {:.4g} s of all replicates, and {:g} times is the most: {:.3g} s", records,
+                     extremes.values.duration, kLongestPeriod, period / kLongestPeriod);
 }
 
 ordered_json level_json(const ExtremeAnalysis& extremes, double hours, bool extrapolate) {

@@ -30,7 +30,7 @@ void refuse_doubled(const io::Series& series, const std::string& path, const std
   throw InputError(Complaint{path, fmt::format("has several columns '{}'", printable(name)),
                              units_tell ? fmt::format("one of: {}", fmt::join(series.heads, ", "))
                                         : "a name of its own for each column that is read",
-                             units_tell ? "name the column with its unit" : "rename all but one of them"});
+                             units_tell ? "name the column with its unit" : "rename all but one"});
 }
 
 std::size_t load_column(const io::Series& series, const std::string& wanted, const std::string& path) {
@@ -40,7 +40,7 @@ std::size_t load_column(const io::Series& series, const std::string& wanted, con
       refuse_doubled(series, path, series.heads, series.heads[first]);
       return first;
     }
-    throw InputError(Complaint{path, "holds no column but that of the times", "a column of times and one of loads",
+    throw InputError(Complaint{path, "holds no column but the times", "a column of times and one of loads",
                                "check that it is the right file"});
   }
   for (const std::vector<std::string>& spelled : {series.heads, series.names})
@@ -87,7 +87,8 @@ void refuse_other_files(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr std::array<std::string_view, 5> kOthers{".toml", ".json", ".html", ".svg", ".wkt"};
   if (std::ranges::find(kOthers, fs::path(path).extension().string()) == kOthers.end()) return;
-  throw InputError(Complaint{path, "is no history", "a history: CSV or netCDF with a column of times and one of loads",
+  throw InputError(Complaint{path, "is not a history",
+                             "a history: CSV or netCDF with a column of times and one of loads",
                              "name a history, such as the history.csv of a run or the table of a logger"});
 }
 
@@ -99,7 +100,7 @@ void leave_times_to_step(io::Series& series, const std::string& path, const std:
   if (head != "1")  // as io::read_series calls a first column without a name
     throw InputError(Complaint{path, fmt::format("has times in column '{}', and a time step is given", printable(head)),
                                "a time step for a file without times",
-                               "leave the time step out; if these are no times, give their column another name"});
+                               "leave the time step out; if these are not times, give their column another name"});
   if (wanted.front().empty())
     throw InputError(Complaint{path, "has several columns without names, of which the first may be of times",
                                "a column by its number, or no time step",
@@ -193,9 +194,9 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
 std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
                                         const std::vector<std::string>& columns) {
   if (std::isnan(choice.from))
-    throw InputError(Complaint{path, fmt::format("--from {} is no time", choice.from), "seconds", "give a number"});
+    throw InputError(Complaint{path, fmt::format("--from {} is not a time", choice.from), "seconds", "give a number"});
   if (choice.to && std::isnan(*choice.to))
-    throw InputError(Complaint{path, fmt::format("--to {} is no time", *choice.to), "seconds", "give a number"});
+    throw InputError(Complaint{path, fmt::format("--to {} is not a time", *choice.to), "seconds", "give a number"});
   refuse_other_files(path);
   io::Series series = io::read_series(path);
   if (choice.notes)

@@ -115,7 +115,7 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
     if (!fault.empty())
       throw InputError(Complaint{fmt::format("{}, number {}", source, sizes.areas.size()), fault,
                                  "closed outlines that do not cross themselves, holes inside them",
-                                 "draw its outline anew, or give its parts as polygons of their own"});
+                                 "draw its outline again, or give its parts as polygons of their own"});
   }
   return sizes;
 }

@@ -126,7 +126,7 @@ std::vector<Point> read_points(const std::string& campaign) {
   }
   if (points.empty())
     throw InputError(Complaint{campaign, "has no case that is done", "a campaign with finished cases",
-                               "go on with `--resume`; its failed cases say why they failed"});
+                               "continue with `--resume`; its failed cases say why they failed"});
   std::ranges::sort(points, {}, [](const Point& p) { return std::pair(p.thickness(), p.speed()); });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].thickness() == points[i - 1].thickness() && points[i].speed() == points[i - 1].speed())

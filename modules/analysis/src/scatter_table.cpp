@@ -30,7 +30,7 @@ std::vector<std::size_t> keys_in(const TextTable& table, const SettingHistories&
     if (!setting.values.contains(table.names[c])) {
       std::vector<std::string> varied;
       for (const auto& [key, value] : setting.values.items()) varied.push_back(key);
-      throw InputError(Complaint{table.path, fmt::format("column '{}' is no varied key", printable(table.names[c])),
+      throw InputError(Complaint{table.path, fmt::format("column '{}' is not a varied key", printable(table.names[c])),
                                  fmt::format("`hours` and: {}", fmt::join(varied, ", ")),
                                  "name the columns as the plan's grid does"});
     }

@@ -72,7 +72,7 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
                                  "as many values in each line as in the first", remedy});
     }
   }
-  if (table.names.size() < 2) throw InputError(Complaint{path, "is no table", allowed, remedy});
+  if (table.names.size() < 2) throw InputError(Complaint{path, "is not a table", allowed, remedy});
   return table;
 }
 

@@ -150,11 +150,11 @@ void Folder::prepare(bool resume) {
     throw InputError(fmt::format("{}: cannot be made: {}\n  remedy:  check the path and its permissions",
                                  cases.string(), reason.message()));
   if (!resume && !fs::is_empty(cases))
-    throw InputError(
-        fmt::format("{}: holds the cases of a campaign already\n  remedy:  `--resume`, in Python resume=True, goes on "
-                    "with them; or "
-                    "give another folder",
-                    directory_));
+    throw InputError(fmt::format(
+        "{}: holds the cases of a campaign already\n  remedy:  `--resume`, in Python resume=True, continues "
+        "with them; or "
+        "give another folder",
+        directory_));
   refuse_other_keep();
   const fs::path inputs = fs::path(directory_) / "inputs";
   for (const fs::path& written_to : {fs::path(directory_), cases, fs::path(directory_) / "settings", inputs})

@@ -48,7 +48,7 @@ struct Opened {
 
 [[noreturn]] void refuse_unfit(const std::string& what) {
   throw InputError(what +
-                   "\n  allowed: cases as the campaign made them\n  remedy:  go on with `--resume`, which runs "
+                   "\n  allowed: cases as the campaign made them\n  remedy:  continue with `--resume`, which runs "
                    "this case again");
 }
 

@@ -111,7 +111,7 @@ Json read_rounds(const std::string& folder) {
            round.value("idle_rounds", Json()).is_number_unsigned();
   };
   if (!rounds.is_array() || !std::ranges::all_of(rounds, is_round))
-    throw InputError(Complaint{path, "is no list of what was submitted", "the file that brash wrote",
+    throw InputError(Complaint{path, "is not a list of what was submitted", "the file that brash wrote",
                                "`scancel` what is left of this campaign, and remove the file"});
   return rounds;
 }
@@ -126,7 +126,7 @@ std::vector<std::vector<Job>> read_list(const std::string& list_file) {
   const Json list = Json::parse(read_json_text(list_file, "a list of jobs"), nullptr, /*allow_exceptions=*/false);
   std::vector<std::vector<Job>> all;
   try {
-    if (!list.is_array()) throw InputError(fmt::format("{}: is no list of jobs", list_file));
+    if (!list.is_array()) throw InputError(fmt::format("{}: is not a list of jobs", list_file));
     for (const Json& part : list) {
       all.emplace_back();
       for (const Json& job : part)
@@ -134,7 +134,7 @@ std::vector<std::vector<Job>> read_list(const std::string& list_file) {
             {0, job.at("command"), job.at("messages"), job.at("folder"), job.at("result"), job.at("record")});
     }
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is no list of jobs: {}", list_file, error.what()));
+    throw InputError(fmt::format("{}: is not a list of jobs: {}", list_file, error.what()));
   }
   return all;
 }
@@ -153,7 +153,7 @@ bool is_job_in_queue(const std::string& job) {
   const Printed printed = ask_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
   // The controller forgets old jobs.
   if (printed.code != 0 && printed.err.find("Invalid job id") != std::string::npos) return false;
-  if (printed.code != 0) throw RunError("squeue cannot tell what is in the queue: " + trimmed(printed.err));
+  if (printed.code != 0) throw RunError("squeue cannot list the queue: " + trimmed(printed.err));
   return !trimmed(printed.out).empty();
 }
 

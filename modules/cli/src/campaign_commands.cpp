@@ -367,7 +367,7 @@ campaign::Campaign campaign_of(const CampaignOptions& options) {
 
 void refuse_missing(const campaign::Campaign& campaign, const Counts& counts) {
   if (counts.n_missing() > 0 || !is_up_to_date(campaign.directory + "/summary.json", counts))
-    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
+    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` continues", counts_text(counts)));
 }
 
 void run_campaign(const CampaignOptions& options) {
@@ -412,7 +412,7 @@ std::size_t number_of(const std::string& task) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(task.data(), task.data() + task.size(), number);
   if (error != std::errc{} || end != task.data() + task.size())
-    throw InputError("campaign-chunk: SLURM_ARRAY_TASK_ID is no number");
+    throw InputError("campaign-chunk: SLURM_ARRAY_TASK_ID is not a number");
   return number;
 }
 
@@ -478,7 +478,7 @@ void add_campaign_commands(CLI::App& app) {
       command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
   command->add_flag("--tables", options->tables, "make the tables of the cases that are done; run nothing")
       ->excludes(status);
-  command->add_flag("--resume", options->resume, "go on with what the folder holds");
+  command->add_flag("--resume", options->resume, "continue with what the folder holds");
   command->add_flag("--quick", options->quick, "the small variant that the plan's [quick] describes");
   command
       ->add_option("--replicates", options->replicates,

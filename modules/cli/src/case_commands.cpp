@@ -81,7 +81,7 @@ void add_field(const model::Case& resolved, const simulation::InitialField& fiel
   const std::size_t n_plates = field.sheets.size();
   const double area = field.area + field.sheet_area;
   rows.add("floes", "{}{}, {:.4g} m2, concentration {:.4g}", field.floes.size() + n_plates,
-           n_plates == 0 ? "" : fmt::format(" ({} of them plates)", n_plates), area,
+           n_plates == 0 ? "" : fmt::format(" ({} plates)", n_plates), area,
            area / (resolved.field.length * resolved.field.width));
 }
 
@@ -102,7 +102,7 @@ void add_hull(const model::Case& resolved, Rows& rows) {
     if (mode.squared_frequency > 0.0)
       rows.add("natural period", "{:.4g} s, mostly {}", 2.0 * kPi / std::sqrt(mode.squared_frequency), mode.motion);
     else
-      rows.add("no way back", "mostly {}: the structure is not stable there", mode.motion);
+      rows.add("no restoring force", "mostly {}: the structure is not stable there", mode.motion);
   }
 }
 

@@ -102,8 +102,8 @@ std::vector<LoadHistory> measurements(const CompareOptions& options) {
 void check_patterns(CompareOptions& options) {
   const bool measured = std::ranges::any_of(options.measured, analysis::is_campaign);
   const auto refuse = [](const std::string& option, const std::string& given, const std::string& allowed) {
-    throw InputError(Complaint{given, fmt::format("is no campaign of which {} could choose a setting", option), allowed,
-                               fmt::format("leave {} out, or give the folder of a campaign", option)});
+    throw InputError(Complaint{given, fmt::format("is not a campaign of which {} could choose a setting", option),
+                               allowed, fmt::format("leave {} out, or give the folder of a campaign", option)});
   };
   if (!options.measured_where.empty() && !measured)
     refuse("--measured-where", options.measured.front(), "the folder of a campaign on the measured side");
@@ -136,7 +136,7 @@ void compare(CompareOptions& options) {
   note_doubts(measured);
   if (measured.front().unit.empty() && !fs::is_directory(options.measured.front()))
     say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.front().column),
-        runs.front().unit.empty() ? "that of the run" : runs.front().unit);
+        runs.front().unit.empty() ? "the unit of the run" : runs.front().unit);
 }
 
 }  // namespace
@@ -158,7 +158,8 @@ void add_compare_command(CLI::App& app) {
       command->add_option("--measured-from", options->of_measured.from, "[s] [its start; of a run, as its summary]");
   command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
       ->check(time_span());
-  command->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is no gap")
+  command
+      ->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is not a gap")
       ->check(time_span());
   command->add_option("-o,--output", options->picture, "picture, SVG or PNG")->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");

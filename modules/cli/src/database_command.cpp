@@ -36,7 +36,7 @@ struct DatabaseOptions {
 };
 
 [[noreturn]] void stop(int done, int total, const char* what) {
-  throw Interrupted(fmt::format("stopped after {} of {} {}; the same command goes on from here", done, total, what));
+  throw Interrupted(fmt::format("stopped after {} of {} {}; the same command continues from here", done, total, what));
 }
 
 /// A process for each chunk that is missing.
@@ -164,7 +164,7 @@ void add_database_command(CLI::App& failure) {
   command->add_option("--sbatch", options->sbatch, "an option for Slurm's sbatch")->take_all()->allow_extra_args(false);
   command->add_option("--chunk", options->chunk)->group("");  // not shown: the processes of --jobs have it
   command->footer(
-      "A stopped or killed build goes on when the same command is given again.\n"
+      "A stopped or killed build continues when the same command is given again.\n"
       "Example: brash failure database experiments/failure_database/plan.toml -o cone.nc --jobs 2");
   command->callback([options] { compute_database(*options); });
 }

@@ -71,7 +71,7 @@ void add_design_command(CLI::App& app) {
   command->add_option("campaign", options->campaign, "folder of a campaign that keeps histories, or its campaign.csv")
       ->required();
   command->add_option("--column", options->choice.column, "of the histories")->capture_default_str();
-  command->add_flag("--negate", options->choice.negate, "turn the sign, for extremes of a load below zero");
+  command->add_flag("--negate", options->choice.negate, "multiply by -1, for extremes of a load below zero");
   command->add_option("--from", options->choice.from, "leave out what is earlier [s] [as each run's summary]");
   command->add_option("--where", options->where, "only settings whose name matches, such as 'angle-50deg_*'");
   add_questions(*command, *options);

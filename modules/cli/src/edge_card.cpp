@@ -106,7 +106,7 @@ std::vector<database::EdgeRecord> unseen(const std::string& path, const std::set
   database::EdgeDatabase test = database::read_edge_database(path);
   if (!learned_plans.contains(test.plan_sha256)) return std::move(test.records);
   throw InputError(Complaint{path, "is of a plan that the model learns", "geometries that the model has not seen",
-                             "solve a plan with points between those of the grid for the test"});
+                             "solve a plan with points between the grid's for the test"});
 }
 
 Test tested(const failure::EdgeResponseModel& model, std::vector<database::EdgeRecord> records) {

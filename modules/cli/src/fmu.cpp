@@ -81,7 +81,7 @@ std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
 std::string needs() {
   return fmt::format(
       "The library of this unit is for Linux on x86-64 with glibc {}.{} or newer and the C++ library of GCC.\n"
-      "It brings every other library along. They are those of the packages\n\n    {}\n\n"
+      "It brings every other library along. They are in the packages\n\n    {}\n\n"
       "of {}, whose licences lie in /usr/share/doc there.\n",
       __GLIBC__, __GLIBC_MINOR__, BRASH_FMU_PACKAGES, BRASH_FMU_SYSTEM);
 }

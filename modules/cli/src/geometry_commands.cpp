@@ -246,7 +246,7 @@ Vec2 to_vector(const std::string& option, const std::string& text, const Origin&
     if (std::abs(result.x) <= geometry::kMaxCoordinate && std::abs(result.y) <= geometry::kMaxCoordinate) return result;
   }
   const std::string centre = origin == Origin{} ? "" : " of the origin " + to_string(origin);
-  refuse_option(option, text, "is no place", fmt::format("X,Y within +-{} m{}", geometry::kMaxCoordinate, centre));
+  refuse_option(option, text, "is not a place", fmt::format("X,Y within +-{} m{}", geometry::kMaxCoordinate, centre));
 }
 
 void fit(const FitOptions& options) {
@@ -261,7 +261,7 @@ void fit(const FitOptions& options) {
   }
   const geometry::Map map = read_map_file(options.sheet, origin_option("fit", options.origin));
   const Vec2 at = to_vector("--at", options.at, map.origin), towards = to_vector("--towards", options.towards, {});
-  if (!(norm(towards) > 0.0)) refuse_option("--towards", options.towards, "is no direction", "X,Y other than 0,0");
+  if (!(norm(towards) > 0.0)) refuse_option("--towards", options.towards, "is not a direction", "X,Y other than 0,0");
   for (const double way : {at.x, at.y}) {
     if (std::abs(way) + 2.0 * options.reach > geometry::kMaxCoordinate) {
       refuse_option("--at", options.at, fmt::format("is too far out for --reach {}", options.reach),

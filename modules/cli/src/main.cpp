@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
     return brash::campaign::kStorageExit;
   } catch (const std::bad_alloc&) {
     say("brash: there is not enough memory\n  remedy:  free some, or raise its limit; where the "
-        "command has `--resume`, that goes on from what it has kept\n");
+        "command has `--resume`, that continues from what it has kept\n");
     return kFailed;
   } catch (const std::exception& error) {
     say("brash: {}\n", error.what());

@@ -18,7 +18,7 @@ std::optional<Origin> origin_option(const std::string& command, const std::strin
   if (value.empty()) return std::nullopt;
   const auto origin = geometry::origin_from_text(value);
   if (!origin) {
-    throw InputError(Complaint{command, fmt::format("--origin = '{}' is no place", printable(value)),
+    throw InputError(Complaint{command, fmt::format("--origin = '{}' is not a place", printable(value)),
                                "X,Y in the coordinates of the file, such as 500000,7000000", "change the option"});
   }
   return origin;

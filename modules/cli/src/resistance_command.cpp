@@ -59,7 +59,7 @@ void write_plan(ResistanceOptions& o) {
   if (fs::exists(o.run.plan_file, ignored) && !o.run.resume && read_text_file(o.run.plan_file, "a plan (TOML)") != text)
     throw InputError(Complaint{o.run.plan_file, "is there already, and is another plan",
                                "a folder that is new or empty",
-                               "give another folder, or add `--resume` to go on with a larger grid"});
+                               "give another folder, or add `--resume` to continue with a larger grid"});
   write_file(o.run.plan_file, text);
 }
 
@@ -104,7 +104,7 @@ void add_grid(CLI::App& command, ResistanceOptions& o) {
       ->capture_default_str();
   command.add_option("--jobs", o.run.n_jobs, "runs at once [as many as there are cores]")->check(CLI::Range(1, 100000));
   command.add_option("--set", o.run.overrides, "section.key=value, for every run")->take_all()->allow_extra_args(false);
-  command.add_flag("--resume", o.run.resume, "go on with what the folder holds");
+  command.add_flag("--resume", o.run.resume, "continue what the folder holds");
   command.add_flag("--plan", o.plan_only, "write the plan of the campaign; run nothing");
 }
 

@@ -40,7 +40,8 @@ struct RunOptions {
 void refuse_two_seeds(const std::vector<std::string>& overrides) {
   for (const std::string& text : overrides)
     if (text.starts_with("random.seed") && text.find_first_not_of(' ', std::strlen("random.seed")) == text.find('='))
-      throw InputError(Complaint{"--set " + text, "stands beside --seed", "one seed", "remove one of the two"});
+      throw InputError(
+          Complaint{"--set " + text, "cannot be combined with --seed", "one seed", "remove one of the two"});
 }
 
 void run_case(const RunOptions& options) {
@@ -88,7 +89,7 @@ void run_case(const RunOptions& options) {
     if (view)
       view->end(fmt::format("The run was stopped at {:.10g} s. The same command with --resume continues it.", reached));
     throw Interrupted(fmt::format(
-        "{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory, reached));
+        "{}: interrupted at t = {:.10g} s; the same command with `--resume` continues from there", directory, reached));
   }
   report::write_results(results, inputs, run);
   if (view) view->end(fmt::format("The run is done. Its report is {}/report.html.", directory));
@@ -107,8 +108,8 @@ void add_run_command(CLI::App& app) {
   command->add_option("--set", options->overrides, "section.key=value, in place of the case file's")
       ->take_all()
       ->allow_extra_args(false);
-  CLI::Option* resume =
-      command->add_flag("--resume", options->resume, "go on from the newest checkpoint in the folder of the results");
+  CLI::Option* resume = command->add_flag("--resume", options->resume,
+                                          "continue from the newest checkpoint in the folder of the results");
   command->add_flag("--replace", options->replace, "begin at 0 s where the folder holds a run already")
       ->excludes(resume);
   constexpr int kMostThreads = 1024;
@@ -116,7 +117,7 @@ void add_run_command(CLI::App& app) {
       ->add_option("--threads", options->threads,
                    "how many share the work [one for each processor]; results do not depend on it")
       ->check(CLI::Range(1, kMostThreads));
-  command->add_flag("--view", options->view, "show the run in a browser on this machine while it goes on");
+  command->add_flag("--view", options->view, "show the run in a browser on this machine while it runs");
   command->footer("Example: brash run cone.toml -o results/cone --seed 2 --set \"ice.thickness='0.4 m'\"");
   command->callback([options, seed] {
     options->has_seed = seed->count() > 0;

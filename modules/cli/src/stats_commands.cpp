@@ -105,7 +105,7 @@ std::vector<LoadHistory> histories_of(const StatsOptions& o) {
 void run_stats(StatsOptions& o) {
   for (std::string& file : o.files) file = analysis::history_file(file);
   if (!std::isfinite(o.threshold))
-    throw InputError(Complaint{o.files.front(), fmt::format("--threshold {} is no load", o.threshold),
+    throw InputError(Complaint{o.files.front(), fmt::format("--threshold {} is not a load", o.threshold),
                                "a finite number in the unit of the column", "give a number"});
   check_outputs(o);
   const std::vector<LoadHistory> loads = histories_of(o);
@@ -136,12 +136,12 @@ void add_reading_options(CLI::App& command, StatsOptions& o) {
   command.add_option("--column", o.columns, "columns [the first that is not the time]")
       ->take_all()
       ->allow_extra_args(false);
-  command.add_flag("--negate", o.choice.negate, "turn the sign, for peaks and extremes of a load below zero");
+  command.add_flag("--negate", o.choice.negate, "multiply by -1, for peaks and extremes of a load below zero");
   command.add_option("--from", o.choice.from,
                      "leave out what is earlier than this [s] [of a run, what its summary leaves out]");
   command.add_option("--to", o.to, "leave out what is later [s]");
   command.add_option("--dt", o.choice.dt, "time step of files without times [s]")->check(time_span());
-  command.add_option("--gap", o.choice.longest_interval, "longest step that is no gap [s] [5 x the median step]")
+  command.add_option("--gap", o.choice.longest_interval, "longest step that is not a gap [s] [5 x the median step]")
       ->check(time_span());
   command.add_option("--resample", o.preparation.step, "new time step [s]")->check(time_span());
   CLI::Option* low_pass =

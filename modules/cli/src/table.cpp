@@ -127,8 +127,8 @@ std::string quantile_row(const char* name, const std::vector<double>& q) {
 /// Solutions of sheets, and the verdicts that they could not give, by reason.
 std::string sheets(const model::SheetSolves& s) {
   if (s.coarse + s.cubic + s.without_edge == 0) return "";
-  std::string text = fmt::format("  sheets solved: {} coarse, {} fine; {} of them split by a radial crack\n", s.coarse,
-                                 s.cubic, s.split);
+  std::string text =
+      fmt::format("  sheets solved: {} coarse, {} fine; {} split by a radial crack\n", s.coarse, s.cubic, s.split);
   const auto row = [&](int n, const char* what) {
     if (n > 0) text += fmt::format("  {:>10} {}\n", n, what);
   };

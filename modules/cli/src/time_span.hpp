@@ -13,7 +13,7 @@ inline CLI::Validator time_span() {
   return {[](const std::string& text) -> std::string {
             double seconds = 0.0;
             if (CLI::detail::lexical_cast(text, seconds) && seconds >= 1e-9 && seconds <= 1e9) return {};
-            return "'" + printable(text) + "' is no span of time: seconds from 1e-9 to 1e9 are allowed";
+            return "'" + printable(text) + "' is not a span of time: seconds from 1e-9 to 1e9 are allowed";
           },
           "SECONDS"};
 }

@@ -160,7 +160,7 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
   for (const database::Record* record : records) {
     (record->geometry % kTestEvery == kTestEvery - 1 ? left_out : kept).push_back(record);
   }
-  const auto judged = of_file(database_file + ", without the geometries that judge",
+  const auto judged = of_file(database_file + ", without the geometries of the test",
                               [&] { return meta_model::ProfileModel::fit(to_profile_samples(kept), ""); });
   return {judge(answers_of(judged), left_out),
           "every eleventh geometry, left out of a fit for this purpose; the model holds them all"};
@@ -212,13 +212,12 @@ void check_taught(const database::Plan& plan, const std::string& plan_file) {
     refuse("thickness_over_lc has a range: the five inputs of Eq. 17 leave h/l_c out", "one value");
   if (plan.split) refuse("split = true: the superposition that teaches is of whole sheets", "false");
   if (plan.poisson_ratio != kPoissonRatio || plan.theory != plate::Theory::kReissnerMindlin)
-    refuse("[plate] is not that of the superposition that teaches",
-           "poisson_ratio = 0.3, theory = \"reissner-mindlin\"");
+    refuse("[plate] differs from the superposition that teaches", "poisson_ratio = 0.3, theory = \"reissner-mindlin\"");
 }
 
 void train_deep_network(const std::string& plan_file, const std::string& test_file, const std::string& output,
                         meta_model::HumpTrainingOptions options, const std::string& command) {
-  if (test_file.empty()) throw InputError("--deep needs --test: plate solutions that judge the network");
+  if (test_file.empty()) throw InputError("--deep needs --test: plate solutions that test the network");
   const database::Plan plan = database::read_plan(plan_file);
   check_taught(plan, plan_file);
   const database::Database test = database::read_database(test_file);
@@ -311,11 +310,11 @@ void add_train_command(CLI::App& failure) {
                  "train the deep network on the points of a plan, answered by the superposition")
       ->excludes(superposition);
   command->add_option("--test", options->test,
-                      "database (netCDF) that judges a superposition, without it every eleventh geometry does, or a "
+                      "database (netCDF) that tests a superposition, without it every eleventh geometry does, or a "
                       "deep network");
   auto* const split =
       command->add_option("--split", options->split, "database (netCDF) of the split sheets, for a moving edge");
-  command->add_option("--test-split", options->test_split, "database (netCDF) that judges them")->needs(split);
+  command->add_option("--test-split", options->test_split, "database (netCDF) that tests them")->needs(split);
   command->add_option("--hidden", training.hidden, "hidden units of a network; of each hidden layer with --deep [12]")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));

@@ -83,9 +83,9 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
     const std::vector<std::string> options = options_of(*command.app);
     // Only `run` has a short form of it.
     if (word.starts_with("--seed") && std::ranges::find(options, "--set") != options.end())
-      return message(command, fmt::format("{} is no option", shown), "--set", "write --set random.seed=N");
+      return message(command, fmt::format("{} is not an option", shown), "--set", "write --set random.seed=N");
     const std::string nearest = nearest_option(word.substr(0, word.find('=')), options);
-    return message(command, fmt::format("{} is no option", shown), nearest,
+    return message(command, fmt::format("{} is not an option", shown), nearest,
                    nearest.empty() ? fmt::format("`{} --help` lists the options", command.name)
                                    : fmt::format("write {}", nearest));
   }
@@ -94,7 +94,7 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
     return message(command, fmt::format("{} is one argument too many", shown), "",
                    example_of(command) + ", and a value that holds blanks between quotes");
   const std::string nearest = nearest_name(word, commands);
-  return message(command, fmt::format("{} is no command", shown), nearest,
+  return message(command, fmt::format("{} is not a command", shown), nearest,
                  nearest.empty() ? fmt::format("`{} --help` lists the commands", command.name)
                                  : fmt::format("write `{} {}`", command.name, nearest));
 }

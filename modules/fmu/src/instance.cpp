@@ -178,7 +178,7 @@ double Instance::number(unsigned reference) const {
 std::int64_t Instance::whole_number(unsigned reference) const {
   const Number found = value(reference);
   if (const std::int64_t* const number = std::get_if<std::int64_t>(&found)) return *number;
-  throw std::runtime_error(variable(reference).name + " is no whole number");
+  throw std::runtime_error(variable(reference).name + " is not a whole number");
 }
 
 void Instance::check(const Variable& v, Number value) const {

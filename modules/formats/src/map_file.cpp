@@ -32,7 +32,7 @@ std::string crs_member(const std::string& name) {
                        name.find_first_not_of("0123456789", kEpsg.size()) == std::string::npos;
   if (!is_code || geometry::is_geographic(name))
     throw InputError(Complaint{
-        "--crs", fmt::format("'{}' is {}", printable(name), is_code ? "a system of degrees" : "no code of a system"),
+        "--crs", fmt::format("'{}' is {}", printable(name), is_code ? "a system of degrees" : "not a code of a system"),
         "EPSG:CODE of a projected system in metres, such as EPSG:32633",
         "name the system that field.origin belongs to"});
   return geometry::crs_of_code(std::string_view(name).substr(kEpsg.size()));
@@ -59,7 +59,7 @@ void check_map_name(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
   constexpr std::array<std::string_view, 4> kKnown{"", ".geojson", ".json", ".wkt"};
   if (std::ranges::find(kKnown, ending) != kKnown.end()) return;
-  throw InputError(Complaint{path, fmt::format("'{}' is no format that is written", printable(ending)),
+  throw InputError(Complaint{path, fmt::format("'{}' is not a format that is written", printable(ending)),
                              "a name that ends in .geojson or .json (GeoJSON) or in .wkt (WKT)",
                              "change the name; ogr2ogr makes other formats of GeoJSON"});
 }

@@ -67,12 +67,12 @@ struct Accounts {
   static void visit(Self& self, Visit&& visit) {
     auto& ledger = self.ledger;
     visit("initial", "1", "twice the area at the start, squared grid units", ledger.initial);
-    visit("sheet", "1", "likewise of the sheet", ledger.sheet);
-    visit("floes", "1", "likewise of the floes", ledger.floes);
-    visit("crushed", "1", "likewise crushed by the structure", ledger.crushed);
-    visit("deleted", "1", "likewise of deleted floes", ledger.deleted);
-    visit("brash", "1", "likewise of pieces without a body", ledger.brash);
-    visit("snap", "1", "likewise moved by rounding to the grid", ledger.snap);
+    visit("sheet", "1", "the same of the sheet", ledger.sheet);
+    visit("floes", "1", "the same of the floes", ledger.floes);
+    visit("crushed", "1", "the same, crushed by the structure", ledger.crushed);
+    visit("deleted", "1", "the same of deleted floes", ledger.deleted);
+    visit("brash", "1", "the same of pieces without a body", ledger.brash);
+    visit("snap", "1", "the same, moved by rounding to the grid", ledger.snap);
     visit("n_rounded", "1", "crossings rounded to the grid", ledger.n_rounded);
   }
 };

@@ -54,7 +54,7 @@ void expect_no_overlap(const std::vector<geometry::Polygon>& polygons, const std
   const auto sheet = geometry::IceSheet::from_polygons(polygons);
   if (!sheet)
     refuse(path, sheet.error().what + " (polygons count from 0)", "simple outlines that do not overlap",
-           "move or cut one of them; outlines may touch");
+           "move or cut one; outlines may touch");
 }
 
 /// How many polygons a geometry has; null has none.

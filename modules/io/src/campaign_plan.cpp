@@ -134,7 +134,7 @@ class PlanReader {
     const int least = document.at("campaign").at("replicates");
     if (least < 2 || least > rule.most_replicates)
       report(place_of(source_, "campaign", "replicates"), "campaign.replicates", std::to_string(least),
-             "is no least number of replicates for [stop]",
+             "is not a least number of replicates for [stop]",
              fmt::format("from 2 to stop.most_replicates = {}", rule.most_replicates), "", "change one of the two");
     plan_.stop = rule;
   }
@@ -142,7 +142,7 @@ class PlanReader {
   void check_column(const char* section, const char* key, const std::string& column) {
     if (std::ranges::find(options_.known_columns, column) != options_.known_columns.end()) return;
     report(place_of(source_, section, key), fmt::format("{}.{}", section, key), toml_string(column), "is not a column",
-           "a number of a run's summary.json, the names on the way to it joined by dots",
+           "a number of a run's summary.json, the names of its keys joined by dots",
            nearest_name(column, options_.known_columns),
            "correct the name; docs/reference/plan.md says how they are made");
   }
@@ -156,7 +156,7 @@ class PlanReader {
              "write the sections of the case under those, or name a case file under [campaign]");
     } else if (named == inside) {
       report(place_of(source_, "campaign", "case"), "campaign.case", "",
-             named ? "stands beside a case in the plan itself" : "is missing",
+             named ? "cannot be combined with a case in the plan itself" : "is missing",
              "either campaign.case = \"FILE\" or the sections [case.ice], [case.structure], ...", "",
              named ? "remove one of the two" : "add `case = \"cone.toml\"` or the like under `[campaign]`");
     }

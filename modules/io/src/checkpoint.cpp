@@ -158,7 +158,7 @@ std::string read_sealed(const std::string& path) {
   stream.seekg(-static_cast<std::streamoff>(seal_size), std::ios::end);
   const auto size = static_cast<std::size_t>(std::max(std::streamoff{0}, std::streamoff{stream.tellg()}));
   if (!stream.read(seal.data(), static_cast<std::streamsize>(seal_size)) || !seal.starts_with(kSealMark))
-    refuse_file(path, "is no checkpoint, or was cut short");
+    refuse_file(path, "is not a checkpoint, or was cut short");
   std::string bytes(size, '\0');
   stream.seekg(0);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) refuse_file(path, "cannot be read");

@@ -27,7 +27,7 @@ void check_edge(const model::Case& c, Checks& checks) {
   const double roughness = c.field.edge_roughness, length = c.field.edge_correlation_length;
   if (roughness == 0.0) return;
   checks.require(c.field.file.empty(), {"field", "edge_roughness"}, {"field", "file"},
-                 "stands beside field.file, whose outlines have their own edge", "one of the two",
+                 "cannot be combined with field.file, whose outlines have their own edge", "one of the two",
                  "remove one of the two, or draw the edge in the file");
   checks.require(roughness <= 0.1 * c.field.length, {"field", "edge_roughness"}, {"field", "length"},
                  "is more than a tenth of the sheet's length", fmt::format("at most {} m", 0.1 * c.field.length),
@@ -52,7 +52,7 @@ void check_sizes(const model::Case& c, Checks& checks) {
       needs(size.largest.has_value(), "largest");
       largest = size.largest.value_or(0.0);
       checks.require(size.least.value_or(0.0) < size.largest.value_or(1e9), {"field.size", "least"},
-                     {"field.size", "largest"}, "is no less than the largest size", "less than field.size.largest",
+                     {"field.size", "largest"}, "is not less than the largest size", "less than field.size.largest",
                      "lower it; floes of one size are kind = \"list\" with one value");
       break;
     case model::SizeLaw::kLogNormal:
@@ -77,7 +77,7 @@ void check_files(const model::Case& c, Checks& checks) {
                    "correct the path");
   });
   checks.require(!model::has_ice_files(c.field) || !c.field.initial_crack, {"field", "initial_crack"},
-                 {"field", "file"}, "stands beside files of the ice, which may have any edge",
+                 {"field", "file"}, "cannot be combined with files of the ice, which may have any edge",
                  "false with field.file, openings, cracks or shore",
                  "remove it, or draw the broken part into field.openings");
 }
@@ -90,7 +90,8 @@ void check_floes(const model::Case& c, Checks& checks) {
                  "is missing: floes are generated, or read from a file", "a concentration, or field.file",
                  "write field.concentration = 0.7 or the like, or name a file");
   checks.require(!floes.concentration.has_value() || c.field.file.empty(), concentration, kind,
-                 "stands beside field.file, whose floes have their own", "one of the two", "remove one of the two");
+                 "cannot be combined with field.file, whose floes have their own", "one of the two",
+                 "remove one of the two");
   if (c.field.file.empty()) check_sizes(c, checks);
 }
 

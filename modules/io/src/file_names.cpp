@@ -30,7 +30,7 @@ std::vector<std::string> outputs_in(const std::string& manifest) {
 void check_ending(const std::string& file, std::string_view kind, std::initializer_list<std::string_view> endings) {
   const auto has = [&](std::string_view ending) { return file.ends_with(ending); };
   if (file.empty() || std::ranges::any_of(endings, has)) return;
-  throw InputError(Complaint{file, fmt::format("is no name of {}", kind),
+  throw InputError(Complaint{file, fmt::format("is not a name of {}", kind),
                              fmt::format("a name that ends in {}", fmt::join(endings, " or ")), "change the name"});
 }
 
@@ -44,7 +44,7 @@ void refuse_replacing_results(const std::string& output) {
   for (const std::string& result : results)
     if (fs::equivalent(output, folder / result, ignored))
       throw InputError(Complaint{output, "would be written over a result that manifest.json beside it lists",
-                                 "a file that is no result of a run or a campaign",
+                                 "a file that is not a result of a run or a campaign",
                                  "give another name for what is written"});
 }
 

@@ -134,8 +134,8 @@ std::string new_case(const std::string& kind, const std::string& ice) {
   const SiteIce site(ice);
   const OrderedJson& kinds = schema_of_cases().keys("structure").at("kind").at("enum");
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError(
-        Complaint{"--kind", fmt::format("{} is no kind of structure", kind), kinds.dump(), "name one of these kinds"});
+    throw InputError(Complaint{"--kind", fmt::format("{} is not a kind of structure", kind), kinds.dump(),
+                               "name one of these kinds"});
   std::string text = kSchemaLine;
   text += fmt::format(
       "# A brash case. A bare number is SI; a string is a quantity with a unit.\n"

@@ -76,7 +76,7 @@ class AxisReader {
   void add_section(const std::string& section, const toml::node& node) {
     const toml::table* const keys = node.as_table();
     if (keys == nullptr) {
-      report(node, "grid." + section, value_text(node), "is no section of the case file",
+      report(node, "grid." + section, value_text(node), "is not a section of the case file",
              "`section.key = [values]`, and `labels`",
              "write the section before the key: `structure.speed = [0.5, 1.2]`");
       return;
@@ -87,8 +87,8 @@ class AxisReader {
       if (is_section(name) && values.is_table()) {
         add_section(name, values);
       } else if (array == nullptr || array->empty()) {
-        report(values, "grid." + name, value_text(values), "is no array of values", "an array of at least one value",
-               "write the values in brackets");
+        report(values, "grid." + name, value_text(values), "is not an array of values",
+               "an array of at least one value", "write the values in brackets");
       } else {
         rows_.push_back({section, std::string(key.str()), array});
       }
@@ -197,7 +197,7 @@ std::vector<Axis> read_axes(const std::string& file, const toml::node* grid, std
       axes.push_back(AxisReader(file, *table, problems).read());
   }
   if (tables == nullptr || axes.size() != tables->size())
-    problems.push_back({place_of(file, *grid), "grid", value_text(*grid), "is no grid",
+    problems.push_back({place_of(file, *grid), "grid", value_text(*grid), "is not a grid",
                         "tables `[[grid]]`, each an axis", "", "write each axis under a line `[[grid]]`"});
   return axes;
 }

@@ -293,7 +293,7 @@ class TextSeries {
                                  "check that it is the right file and whole"});
     if (remark_)
       series_.notes.push_back(
-          fmt::format("line {} is no row and was left out: {}", remark_->number, printable(remark_->text)));
+          fmt::format("line {} is not a row and was left out: {}", remark_->number, printable(remark_->text)));
     find_times(series_, path_, named_, dates_);
     convert_to_si(series_);
     return std::move(series_);

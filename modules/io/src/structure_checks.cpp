@@ -295,7 +295,7 @@ void check_mooring(const model::Moored& moored, Checks& checks) {
   const Key matrix{"structure.motion", "stiffness_matrix"}, lines{"structure.motion", "lines"};
   checks.require(!moored.stiffness.empty() || !moored.lines.empty(), matrix, {"structure.motion", "kind"},
                  "the structure is moored to nothing", "a stiffness_matrix, lines, or both",
-                 "write one of them, or take kind = \"free\"");
+                 "write one, or take kind = \"free\"");
   bool is_symmetric = true;
   for (std::size_t i = 0; i < moored.stiffness.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) is_symmetric = is_symmetric && moored.stiffness[i][j] == moored.stiffness[j][i];
@@ -363,7 +363,7 @@ void check_hull(const model::Case& c, Checks& checks) {
   if (written == nullptr) return;
   for (const auto& [name, given] : keys)
     checks.require(given, {"hull", name}, {"hull", written}, "is missing beside the hull's other keys",
-                   "length, breadth, draught, stem_angle and waterline_angle, or none of them",
+                   "length, breadth, draught, stem_angle and waterline_angle, or none",
                    "write it, or leave [hull] out");
 }
 

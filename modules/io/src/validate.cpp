@@ -227,7 +227,7 @@ class Reader {
       if (has_key(owner, name)) keys.push_back(name);
     const std::string kind = fmt::format("{}.kind = {}", owner, toml_string(kind_of(owner)));
     return {place_of(source_, section, key),         section + "." + key,
-            value_text(source_, section, key),       "is no key of " + kind,
+            value_text(source_, section, key),       "is not a key of " + kind,
             fmt::format("its keys: {}", list(keys)), "",
             "remove it, or change the kind"};
   }
@@ -236,7 +236,7 @@ class Reader {
     return {place_of(source_, section, key),
             section + "." + key,
             value_text(source_, section, key),
-            fmt::format("stands beside {}, which takes its place", other),
+            fmt::format("cannot be combined with {}, which takes its place", other),
             "one of the two",
             "",
             "remove one of the two"};
@@ -271,7 +271,7 @@ class Reader {
         const OrderedJson& known = of_kind.at("enum");
         if (std::find(known.begin(), known.end(), document_[section][key].get<std::string>()) != known.end()) continue;
         problems_.push_back({place_of(source_, section, key), section + "." + key, value_text(source_, section, key),
-                             fmt::format("is no choice of {}.kind = {}", section, toml_string(kind_of(section))),
+                             fmt::format("is not a choice of {}.kind = {}", section, toml_string(kind_of(section))),
                              allowed_values(of_kind), "", "change the value, or the kind"});
       }
     }

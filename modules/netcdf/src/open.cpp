@@ -120,7 +120,7 @@ hid_t open_image(std::string& bytes) {
 void refuse_references(const std::string& path, std::string& bytes) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Handle file(open_image(bytes), &H5Fclose);
-  if (!file.is_open()) refuse(path, "cannot be read: it is no whole HDF5 file");
+  if (!file.is_open()) refuse(path, "cannot be read: it is not a whole HDF5 file");
   if (H5Lvisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &look_at_link, nullptr) > 0)
     refuse(path, "refers to data in other files", "bring the data into the file with `nccopy`");
 }

@@ -76,7 +76,7 @@ py::dict run(const py::object& plan, const py::object& output, int jobs, bool re
   for (const std::string& what : unfit) py::module_::import("warnings").attr("warn")(what + ": the case was run again");
   if (counts.n_missing() > 0) {
     throw RunError(
-        fmt::format("stopped with {} of {} cases missing; resume=True goes on", counts.n_missing(), counts.n_cases));
+        fmt::format("stopped with {} of {} cases missing; resume=True continues", counts.n_missing(), counts.n_cases));
   }
   return to_dict(counts);
 }
@@ -89,7 +89,7 @@ void add_campaign(py::module_& m) {
         "Runs the plan of a campaign in processes on this machine and leaves its tables in `output`.\n\n"
         "jobs: cases at once, 0 for as many as there are cores; quick: the plan's small variant; program: path of the "
         "`brash` command, left out the one beside this module. Returns the counts of cases. Ctrl-C stops the cases "
-        "with a checkpoint; resume=True goes on.");
+        "with a checkpoint; resume=True continues.");
 }
 
 }  // namespace brash::python

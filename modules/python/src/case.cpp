@@ -42,7 +42,7 @@ std::string toml_value(py::handle value, int depth = 0) {
     for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item, depth + 1);
     return "[" + items + "]";
   }
-  throw py::type_error("a case takes bool, int, float, str and lists of them, not " +
+  throw py::type_error("a case takes bool, int, float, str and lists, not " +
                        std::string(py::str(py::type::handle_of(value).attr("__name__"))));
 }
 
@@ -64,7 +64,7 @@ std::string key_of(const std::string& text) { return text.substr(0, text.find('=
 std::vector<std::string> changed(std::vector<std::string> overrides, const py::dict& changes) {
   for (const auto& [key, value] : changes) {
     if (!py::isinstance<py::str>(key))
-      throw py::type_error(fmt::format("changes: {} is no key; a key is a text such as \"ice.thickness\"",
+      throw py::type_error(fmt::format("changes: {} is not a key; a key is a text such as \"ice.thickness\"",
                                        py::repr(key).cast<std::string>()));
     const auto name = key.attr("encode")().cast<std::string>();
     std::erase_if(overrides, [&](const std::string& old) { return key_of(old) == name; });
@@ -162,7 +162,8 @@ void add_case(py::module_& m) {
             return read(text, name, false, changed({}, changes));
           },
           py::arg("text"), py::arg("name") = "case", py::arg("changes") = py::dict(),
-          "Reads the text of a case file (TOML). `name` stands for the file's name: in messages, and in the key of the "
+          "Reads the text of a case file (TOML). `name` takes the place of the file's name: in messages, and in the "
+          "key of the "
           "random numbers. Names of files in the text are relative to the current folder, also when the case is "
           "changed.")
       .def("update", &update, py::arg("changes"), "Changes several keys at once; on InputError nothing is changed.")
@@ -203,8 +204,9 @@ void add_case(py::module_& m) {
         "A commented case file with every key. ice: one of site_ice(), whose values have their sources beside them.");
   m.def("new_case", &io::new_case, py::arg("kind") = "cone", py::arg("ice") = "basin",
         "A short case file to begin with, for a structure of this kind, as `brash new`. ice: as for template().");
-  m.def("site_ice", &io::site_ice,
-        "The names of the ice that templates offer: basin, the model ice of the validation case, and those of sites.");
+  m.def(
+      "site_ice", &io::site_ice,
+      "The names of the ice that templates offer: basin, the model ice of the validation case, and the ice of sites.");
 }
 
 }  // namespace brash::python

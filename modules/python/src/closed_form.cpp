@@ -22,7 +22,7 @@ std::string remedy_for(const std::string& unit) {
   if (unit == "rad") return "Give angles in radians: numpy.radians(45) for 45 degrees.";
   if (unit == "Pa") return "Give it in Pa: 5e5 for 500 kPa.";
   if (unit == "kg m-3") return "Give it in kg/m3: 900 for sea ice, 1025 for sea water.";
-  if (unit == "m s-1") return "Give it in m/s, and without the sign of a direction.";
+  if (unit == "m s-1") return "Give it in m/s, and positive.";
   if (unit == "1") return "Give it as a number, 0.1 for 10 %.";
   return fmt::format("Give it in {}.", shown_unit(unit));
 }

@@ -29,7 +29,7 @@ void expect_real(const py::array& array, const char* name) {
   };
   const char kind = array.dtype().kind();
   if (kind == 'c') refuse("complex numbers", "take their real or their imaginary part");
-  if (kind == 'M') refuse("dates", "subtract the first of them and divide by numpy.timedelta64(1, 's')");
+  if (kind == 'M') refuse("dates", "subtract the first and divide by numpy.timedelta64(1, 's')");
   if (kind == 'm') refuse("durations", "divide them by numpy.timedelta64(1, 's')");
   if (kind == 'U' || kind == 'S') refuse("texts", "convert them with numpy.asarray(..., dtype=float)");
 }
@@ -43,7 +43,7 @@ void expect_no_mask(py::handle value, const char* name) {
   if (!py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>()) return;
   throw InputError(fmt::format(
       "{0}: an array without masked values is expected; leave them out with {0}.compressed(), and the times of a "
-      "history likewise, or fill them with {0}.filled(...)",
+      "history the same, or fill them with {0}.filled(...)",
       name));
 }
 

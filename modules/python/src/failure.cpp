@@ -197,12 +197,12 @@ each row, about a third of a second), or the path of a model file.
           py::arg("thickness_over_lc") = py::none(),
           "Arrays of any shapes that broadcast: b/l_c (negative: a bay), c/l_c > 0, theta in [0, pi) [rad], mu1 > 0, "
           "mu2, and h/l_c "
-          "(left out: that of the training rows; 0.1 for the plate). Returns a Response.");
+          "(left out: the value of the training rows; 0.1 for the plate). Returns a Response.");
 }
 
 model::FailureModel model_named(const std::string& name) {
   if (const auto known = model::named<model::FailureModel>(name)) return *known;
-  throw InputError(Complaint{"model '" + name + "'", "is no failure model",
+  throw InputError(Complaint{"model '" + name + "'", "is not a failure model",
                              "network, deep-network, superposition, plate, plate-outline, wedge", "take one of these"});
 }
 

@@ -185,7 +185,7 @@ py::dict geo_interface(const Polygon& polygon) {
 void add_polygon(py::module_& m) {
   py::class_<Polygon>(m, "Polygon", "A simple polygon with holes on the grid of 2^-30 m, plan coordinates in metres.")
       .def(py::init(&polygon_from), py::arg("outline"), py::arg("holes") = py::tuple(),
-           "outline: shape (n, 2) [m], either way round; holes: a list of such arrays.")
+           "outline: shape (n, 2) [m], in either orientation; holes: a list of such arrays.")
       .def_static(
           "read", [](const py::object& value) { return to_polygon(value, "value"); }, py::arg("value"),
           "From WKT, GeoJSON, vertices, or an object with __geo_interface__ such as shapely's.")
@@ -199,7 +199,7 @@ void add_polygon(py::module_& m) {
           "area", [](const Polygon& p) { return geometry::area(p).square_metres(); }, "[m2]")
       .def_property_readonly(
           "exact_area", [](const Polygon& p) { return fraction(geometry::area(p)); },
-          "Area as a Fraction [m2]: sums of them are exact.")
+          "Area as a Fraction [m2]: sums are exact.")
       .def_property_readonly(
           "centroid",
           [](const Polygon& p) {
@@ -304,7 +304,7 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
 >>> len(cut.pieces)
 4)")
       .def(py::init(&make_sheet), py::arg("polygons"),
-           "polygons: vertices with shape (n, 2) [m], WKT, GeoJSON, a Polygon or shapely geometry, or a list of them; "
+           "polygons: vertices with shape (n, 2) [m], WKT, GeoJSON, a Polygon or shapely geometry, or a list; "
            "simple and disjoint. Those with a common edge become one part.")
       .def(py::pickle([](const SharedSheet& s) { return py::str(geometry::to_wkt(s.polygons())); },
                       [](const py::str& text) { return make_sheet(text); }))

@@ -93,7 +93,7 @@ void expect_same_unit(const LoadHistory& one, const LoadHistory& other) {
   throw InputError(Complaint{"histories",
                              fmt::format("'{}' is in '{}', and '{}' in '{}'", printable(one.column),
                                          printable(one.unit), printable(other.column), printable(other.unit)),
-                             "one unit in all of them", "convert the values, and set attrs[\"units\"]"});
+                             "one unit in all", "convert the values, and set attrs[\"units\"]"});
 }
 
 LoadHistory load_of(const py::object& history) {
@@ -326,12 +326,12 @@ void add_load_histories(py::module_& m) {
       "--json`. A list of histories is pooled as replicates.");
   m.def("stats", &stats, "history"_a, "return_period"_a = 3600.0, "exponents"_a = std::vector<double>(),
         "frequency"_a = 1.0, "extrapolate"_a = false,
-        "All that `brash stats --json` tells of a history, from its first sample on: a pandas.Series whose index is "
+        "All that `brash stats --json` prints of a history, from its first sample on: a pandas.Series whose index is "
         "time [s], an xarray.DataArray along time, or (times, values).");
   m.def("rainflow", &cycles, "samples"_a,
         "(ranges, means, counts) of the cycles by ASTM E1049, shape (n,) each; counts are 1 and 0.5.");
   m.def("compare", &compare, "run"_a, "measured"_a,
-        "All that `brash compare --json` tells; a list of histories on a side are replicates. Different units, the "
+        "All that `brash compare --json` prints; a list of histories on a side are replicates. Different units, the "
         "attrs[\"units\"] of an xarray.DataArray, are refused.");
   m.def("design", &design, "campaign"_a, "column"_a = "Fx", "hours"_a = std::vector<double>{1.0},
         "scatter"_a = py::none(), "annual"_a = std::vector<double>{1e-2, 1e-4}, "exponents"_a = std::vector<double>(),

@@ -33,7 +33,7 @@ PYBIND11_MODULE(_brash, m) {
   py::register_exception<brash::ContractViolation>(m, "ContractViolation", PyExc_AssertionError).doc() =
       "A bug in the program: a broken contract, with its values.";
   py::register_exception<brash::RunError>(m, "RunError", PyExc_RuntimeError).doc() =
-      "A run that cannot go on although its input was good.";
+      "A run that cannot continue although its input was good.";
   auto& input_error = py::register_exception<brash::InputError>(m, "InputError", PyExc_ValueError);
   input_error.doc() = "Bad input: the message names the place, the value, what is allowed and the remedy.";
   py::register_exception<NotApplicable>(m, "NotApplicable", input_error.ptr()).doc() =

@@ -65,7 +65,7 @@ void warn_of_left_out(const std::string& name, const std::string& left_out) {
 
 std::vector<Polygon> to_polygons(py::handle value, const char* name) {
   if (auto known = polygons_of(value, name)) return *std::move(known);
-  constexpr const char* kExpected = "vertices with shape (n, 2), WKT, GeoJSON, a geometry, or a sequence of them";
+  constexpr const char* kExpected = "vertices with shape (n, 2), WKT, GeoJSON, a geometry, or a sequence";
   if (py::isinstance<py::str>(value) || !py::isinstance<py::iterable>(value))
     throw InputError(fmt::format("{}: {} is expected", name, kExpected));
   std::vector<Polygon> polygons;

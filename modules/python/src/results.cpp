@@ -124,7 +124,7 @@ void add_results(py::module_& m) {
         const Released release;
         return io::read_results(io::file_in(name, {"run.nc"}));
       },
-      py::arg("path"), "Reads the run.nc of a run, given by itself or by its folder.");
+      py::arg("path"), "Reads the run.nc of a run, given as a file or by its folder.");
 }
 
 }  // namespace brash::python

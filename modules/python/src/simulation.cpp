@@ -256,7 +256,8 @@ void add_run(py::module_& m) {
       "It prints nothing: the warnings that `brash run` prints are in Run.summary[\"warnings\"]. "
       "A folder that holds a run already is refused without replace=True. "
       "threads share out the work of a step; results do not depend on their number. "
-      "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there. Without a checkpoint "
+      "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True continues from there. Without a "
+      "checkpoint "
       "it begins at 0 s.");
 }
 
@@ -297,8 +298,9 @@ void add_simulation(py::module_& m) {
           "Advances by n time steps; Ctrl-C stops between two steps. The next call gives the steps done before it, "
           "too. Steps beyond the last row of structure.motion.path are refused, and none is done.\n\n"
           "With structure.motion.kind = \"driven\", pose = (position, rotation) is reached at the end of one step [m], "
-          "and twist = (velocity, angular velocity) is the motion on the way [m/s], [rad/s], each in the sheet frame. "
-          "One of them gives the other. Without both, the structure goes on at its last twist.")
+          "and twist = (velocity, angular velocity) is the motion during the step [m/s], [rad/s], each in the sheet "
+          "frame. "
+          "One gives the other. Without both, the structure continues at its last twist.")
       .def_property_readonly(
           "time", [](const LiveSimulation& s) { return s.look().time(); }, "[s]")
       .def_property_readonly(
@@ -308,7 +310,7 @@ void add_simulation(py::module_& m) {
           "sheet_motions", [](const LiveSimulation& s) { return motions_of(s.look().sheet_motions()); },
           "How sheets with free borders move (field.border = \"free\"), a list of dicts: mass [kg], centre [m], "
           "heading "
-          "[rad], velocity of the centre [m/s], spin [rad/s]. One that is no more has no mass.")
+          "[rad], velocity of the centre [m/s], spin [rad/s]. A sheet that has gone has no mass.")
       .def_property_readonly(
           "ledger", [](const LiveSimulation& s) { return ledger_of(s.look().ledger()); },
           "Where every square metre of ice is: Fractions [m2].")

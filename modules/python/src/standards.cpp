@@ -49,7 +49,7 @@ void add_croasdale(py::module_& m) {
       doc("Loads of level ice on a sloping structure by the elastic beam of ISO 19906, A.8.2.4.4 (Croasdale, Cammaert, "
           "Metge 1994). SI and radians: slope, width, thickness, flexural_strength, youngs_modulus, poisson_ratio, "
           "friction_structure, friction_ice, ice_density, water_density; of rubble on the slope rubble_height, "
-          "rubble_porosity, rubble_cohesion, rubble_angle, rubble_friction_angle. weight_density is that of "
+          "rubble_porosity, rubble_cohesion, rubble_angle, rubble_friction_angle. weight_density is "
           "ice_density if left out.")
           .c_str());
   m.def(
@@ -163,13 +163,13 @@ void add_walls(py::module_& m) {
         for (const auto& argument : given) all[argument.first] = argument.second;
         for (const auto& [name, value] : {pair("width", known.width), pair("ice_density", known.ice_density),
                                           pair("water_density", known.water_density)}) {
-          if (all.contains(name)) throw py::type_error(std::string("ridge_of(): ") + name + " is that of the case");
+          if (all.contains(name)) throw py::type_error(std::string("ridge_of(): ") + name + " is set by the case");
           all[name] = value;
         }
         return call_form("ridge_of", all, kRidgeInputs, ridge_load, ridge);
       },
       py::arg("case"),
-      "ridge() on a case's structure, whose face must be vertical: width and densities are those of the case.");
+      "ridge() on a case's structure, whose face must be vertical: width and densities are the case's.");
 }
 
 void add_ships(py::module_& m) {

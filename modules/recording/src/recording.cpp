@@ -64,7 +64,7 @@ void tell_of_another_program(model::Checkpoint& checkpoint) {
       checkpoint,
       {"several-programs",
        fmt::format("another program (sha256 {}...) went as far as {:.9g} s, and this one ({}...) "
-                   "went on: no run of either need give these results; begin it again",
+                   "continued: neither program alone need give these results; begin it again",
                    digest(*kept), checkpoint.results.loads.empty() ? 0.0 : checkpoint.results.loads.back().time,
                    digest(this_program()))});
 }

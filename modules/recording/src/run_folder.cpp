@@ -170,7 +170,7 @@ void refuse_replacing(const std::string& directory, const std::string& other_rem
     refuse("holds a finished run, which a new run would replace", "give another folder");
   if (fs::exists(folder / "checkpoint.nc"))
     refuse("holds an interrupted run, which a new run would replace",
-           "go on from its checkpoint with `brash run --resume`, or give another folder");
+           "continue from its checkpoint with `brash run --resume`, or give another folder");
 }
 
 NewResults::~NewResults() {

@@ -59,7 +59,7 @@ nlohmann::ordered_json read_json(const std::string& path) {
   try {
     return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(Complaint{path, fmt::format("is no JSON: {}", error.what()), kAllowed,
+    throw InputError(Complaint{path, fmt::format("is not JSON: {}", error.what()), kAllowed,
                                "copy it again, or run the case or campaign again"});
   }
 }

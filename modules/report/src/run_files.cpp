@@ -113,7 +113,7 @@ MeasuredHistory measured_history(const std::string& file, const analysis::Histor
 
 void expect_manifest(const std::string& directory) {
   if (!fs::exists(fs::path(directory) / "manifest.json"))
-    throw InputError(Complaint{directory, fs::is_directory(directory) ? "holds no manifest.json" : "is no folder",
+    throw InputError(Complaint{directory, fs::is_directory(directory) ? "holds no manifest.json" : "is not a folder",
                                "the folder of a run or a campaign",
                                "give the folder that `brash run` or `brash campaign` wrote"});
 }

@@ -43,7 +43,7 @@ void add_border_warnings(const model::Case& c, const Course& course, const Deriv
         {"near-side",
          fmt::format(
              "the structure leaves {:.3g} m of ice to each side of the sheet, and the plate of the "
-             "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
+             "failure model extends beyond it; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
              beside, margin, 2.0 * (course.beside + margin))});
   const double end = course.end;
   if (c.field.border == model::Border::kFree) {
@@ -63,7 +63,7 @@ void add_border_warnings(const model::Case& c, const Course& course, const Deriv
   else if (end > c.field.length - margin)
     warnings.push_back(
         {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, and the plate of the "
-                                 "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: shorten the "
+                                 "failure model extends beyond it; expected at least 2 l_c = {:.3g} m: shorten the "
                                  "run, or raise field.length = {} m",
                                  c.field.length - end, margin, c.field.length)});
 }
@@ -200,7 +200,7 @@ void add_broken_step_warning(const model::TimeSection& time, Warnings& warnings)
   constexpr double kRounding = 1e-6;  // of a duration and a step as they are written
   if (std::abs(steps - std::round(steps)) <= kRounding * steps) return;
   warnings.push_back(
-      {"broken-step", fmt::format("the run ends at {:.9g} s: time.duration = {} s is no whole number of steps of {} "
+      {"broken-step", fmt::format("the run ends at {:.9g} s: time.duration = {} s is not a whole number of steps of {} "
                                   "s, as {:.9g} and {:.9g} s are",
                                   std::round(steps) * time.step, time.duration, time.step,
                                   std::floor(steps) * time.step, std::ceil(steps) * time.step)});
@@ -210,7 +210,7 @@ void add_broken_step_warning(const model::TimeSection& time, Warnings& warnings)
 void add_piece_warnings(const model::Case& c, double speed, double area, double collision_time, Warnings& warnings) {
   if (c.failure.smallest_floe > area)
     warnings.push_back({"all-brash", fmt::format("failure.smallest_floe = {} m2, and a typical piece has {:.2g} m2: "
-                                                 "most pieces become brash and bear no load; lower it",
+                                                 "most pieces become brash and carry no load; lower it",
                                                  c.failure.smallest_floe, area)});
   if (collision_time < c.time.step)
     warnings.push_back({"long-step", fmt::format("time.step = {} s is longer than the collision time {:.3g} s of a "
@@ -228,7 +228,7 @@ void add_piece_warnings(const model::Case& c, double speed, double area, double 
     warnings.push_back(
         {"few-iterations",
          fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at {:.3g} m/s "
-                     "to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
+                     "to carry the load that crushes it: it needs about {:.0f}, or steps of {:.2g} s",
                      c.contact.iterations, area, speed, sweeps, c.time.step * c.contact.iterations / sweeps)});
 }
 

@@ -88,7 +88,7 @@ std::string of_no_ice(const Ranges& ranges, double value) {
     known += fmt::format("; model ice: {}", row.model_ice->source);
   }
   const std::optional<double> meant = probably_meant(ranges, value);
-  return fmt::format("is no ice that has been measured: {}; {}", known,
+  return fmt::format("is outside all measured ice: {}; {}", known,
                      meant ? fmt::format("was \"{}\" meant?", quantity_text(*meant, row.unit))
                            : "expected " + in_words(all, row.unit));
 }
@@ -145,7 +145,7 @@ constexpr double kLeastFreeboard = 0.02;
 void add_order_warning(const model::IceSection& ice, Warnings& warnings) {
   if (ice.compressive_strength >= ice.flexural_strength) return;
   warnings.push_back({"strengths", fmt::format("ice.compressive_strength = {} is less than ice.flexural_strength = {}, "
-                                               "where measured ice bears more in compression: were they swapped?",
+                                               "where measured ice carries more in compression: were they swapped?",
                                                quantity_text(ice.compressive_strength, "Pa"),
                                                quantity_text(ice.flexural_strength, "Pa"))});
 }

@@ -18,7 +18,7 @@ struct KeptDrag {
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     auto& [form, skin, skin_power] = self.drag;
-    visit("drag_left", "m", "how far it may go on with its drag", self.left);
+    visit("drag_left", "m", "distance until its drag is computed again", self.left);
     visit("drag_sum", "kg s-1", "sum of its dampers", form.sum);
     visit("drag_first_", "kg m s-1", "their first moment", form.first);
     visit("drag_squares_", "kg m2 s-1", "their second moments xx, yy, zz", form.squares);

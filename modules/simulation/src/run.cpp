@@ -132,7 +132,7 @@ struct Counts {
     visit("n_steps_too_long", "1", "births with a collision time below the step", counts.n_steps_too_long);
     visit("sum_of_last_changes", "m s-1", "last change of the contacts' solution, summed over the steps",
           counts.sum_of_last_changes);
-    visit("largest_last_change", "m s-1", "largest of them", counts.largest_last_change);
+    visit("largest_last_change", "m s-1", "the largest", counts.largest_last_change);
     visit("n_unsettled_steps", "1", "steps whose contacts are not settled", counts.n_unsettled_steps);
   }
 };

@@ -69,7 +69,7 @@ class Verdicts {
       visit("stress", "Pa", "largest stress", self.stress);
       visit("breaking_length", "m", "breaking length", self.breaking_length);
       visit("by_structure", "N", "the structure's loads that bent the ice there", self.pressing.by_structure);
-      visit("by_floes", "N", "likewise the floes'", self.pressing.by_floes);
+      visit("by_floes", "N", "the same of the floes", self.pressing.by_floes);
       visit("is_bound", "1", "whether the overload is a bound", self.is_bound);
       visit("is_stale", "1", "whether the ice around it has changed", self.is_stale);
       visit("is_control", "1", "whether it is solved in every step", self.is_control);

@@ -66,7 +66,7 @@ const char* brash_make(const char* toml, const char* name) {
 /// Makes `n_steps` steps: `records` as Session::advance(), `time` [s], and whether the case is `done`.
 const char* brash_advance(int n_steps) {
   return said([&] {
-    if (!session) throw brash::RunError("there is no simulation to go on with\n  remedy:  begin one");
+    if (!session) throw brash::RunError("there is no simulation to continue\n  remedy:  begin one");
     const std::string records = session->advance(n_steps);
     return nlohmann::json{{"time", session->time()}, {"done", session->is_done()}}.dump().insert(
         1, R"("records":)" + records + ",");

@@ -94,7 +94,7 @@ void recommend(ExtremeAnalysis& analysis, bool extrapolate) {
     const double shape = e.fit->distribution.shape;
     analysis.recommended = e.law;
     analysis.reason =
-        fmt::format("{} {} fit (p = {:.2f}) and tell the shape of the tail, {:.2f}{}", e.fit->values.size(), values,
+        fmt::format("{} {} fit (p = {:.2f}) and show the shape of the tail, {:.2f}{}", e.fit->values.size(), values,
                     e.goodness.p_value, shape, shape <= kLightestShape ? " or lighter: the load seems bounded" : "");
   };
   const bool regular = pareto.fit && pareto.fit->distribution.shape > kLightestShape;

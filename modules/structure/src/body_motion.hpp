@@ -43,9 +43,9 @@ class BodyMotion final : public Motion {
     visit("velocity_", "m s-1", "of the centre of gravity against the water in the coming step, body axes",
           self.velocity_);
     visit("spin_", "rad s-1", "in the coming step, body axes", self.spin_);
-    visit("foot_", "m", "way of the mooring's feet", self.foot_);
+    visit("foot_", "m", "path of the mooring's feet", self.foot_);
     visit("ice_force_", "N", "of the ice in the coming step", self.ice_.force);
-    visit("ice_moment_", "N m", "likewise, about the centre of gravity", self.ice_.moment);
+    visit("ice_moment_", "N m", "the same, about the centre of gravity", self.ice_.moment);
     visit("anchor_power", "W", "of the mooring's feet, at the last look", self.anchor_power_);
     visit("initial", "J", "kinetic energy at the start", self.initial_);
     model::BodyEnergy::visit([&](const char* name, const char* meaning, double model::BodyEnergy::*energy) {

@@ -55,7 +55,7 @@ struct Soup {
 };
 
 MeshError unreadable(const std::string& kind, const std::string& why) {
-  return {fmt::format("is no {} file: {}", kind, why), "a mesh in STL, OBJ, PLY or OFF whose name ends so",
+  return {fmt::format("is not in the format {}: {}", kind, why), "a mesh in STL, OBJ, PLY or OFF whose name ends so",
           "export it again, or correct the ending of its name"};
 }
 

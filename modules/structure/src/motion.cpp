@@ -168,7 +168,7 @@ class Driven final : public Motion {
     if (!is_finite(goal.pose.position) || !is_finite(goal.twist.linear) || !is_finite(goal.twist.angular))
       throw InputError("a pose or a twist that drives the structure is not finite");
     if (!(std::abs(size - 1.0) < kUnit))
-      throw InputError("a rotation that drives the structure is no unit quaternion: its norm is " +
+      throw InputError("a rotation that drives the structure is not a unit quaternion: its norm is " +
                        std::to_string(size));
     const Twist way{goal.pose.position - now_.pose.position, turn_between(now_.pose.rotation, q)};
     expect_slow(way, time_step_, "a pose that drives the structure");
@@ -189,7 +189,7 @@ class Driven final : public Motion {
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
-    visit("way_", "m", "way of the origin in the coming step", self.way_.linear);
+    visit("way_", "m", "path of the origin in the coming step", self.way_.linear);
     visit("turn_", "rad", "turn in the coming step", self.way_.angular);
   }
 

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_changed_model_file_is_refused_with_the_place_and_a_remedy
   expect_refusal("\"format\": \"brash-network\"", "\"format\": \"other\"", {"/format", "brash-network"});
   expect_refusal("\"format_version\": 1", "\"format_version\": 2", {"/format_version", "reads 1"});
   expect_refusal("\"content_sha256\"", "\"no_hash\"", {"content_sha256", "missing"});
-  expect_refusal("\"format_version\": 1,", "\"format_version\" 1,", {"is no JSON", "column"});
+  expect_refusal("\"format_version\": 1,", "\"format_version\" 1,", {"is not JSON", "column"});
   expect_refusal("mu2^2", "mu2^3", {"/content_sha256"});
 }
 

@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(a_start_that_is_no_number_is_refused) {
   HistoryChoice choice;
   choice.has_from = true;
   choice.from = std::nan("");
-  BOOST_TEST(contains(complaint("0,1\n1,2\n2,3\n", choice), "--from nan is no time"));
+  BOOST_TEST(contains(complaint("0,1\n1,2\n2,3\n", choice), "--from nan is not a time"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

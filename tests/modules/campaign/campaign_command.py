@@ -169,7 +169,7 @@ class Command(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate()
         self.assertEqual(process.returncode, 3)
-        self.assertIn("`--resume` goes on", errors)
+        self.assertIn("`--resume` continues", errors)
         self.assertFalse((folder / "campaign.csv").exists())
         tables = quick(folder, "--tables")
         self.assertEqual(tables.returncode, 0, tables.stderr)

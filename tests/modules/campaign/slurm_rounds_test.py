@@ -107,7 +107,7 @@ class Rounds(unittest.TestCase):
         self.assertEqual(first.returncode, 0, first.stderr)
         grown = self.campaign(PLAN, "--quick", "--replicates", "2", "--resume", "--on", "slurm", "--wait", RUNS="1")
         self.assertEqual(grown.returncode, 3, grown.stdout)
-        self.assertIn("`--resume` goes on", grown.stderr)
+        self.assertIn("`--resume` continues", grown.stderr)
         self.assertEqual(self.as_collector(PLAN, "--quick", "--replicates", "2").returncode, 0)
         self.assertEqual(json.loads((self.out / "summary.json").read_text())["n_done"], 8)
 

@@ -167,10 +167,10 @@ class Folders(unittest.TestCase):
         for option, side in (("--where", runs[0]), ("--measured-where", runs[1])):
             done = self.compare(*runs, option, "thin")
             self.assertEqual(done.returncode, 2)
-            self.assertIn(f"{side}: is no campaign of which {option} could choose a setting", done.stderr)
+            self.assertIn(f"{side}: is not a campaign of which {option} could choose a setting", done.stderr)
         self.campaign({"thin": 20.0, "thick": 40.0})
         done = self.compare(self.folder, runs[0], "--where", "thin", "--measured-where", "thin")
-        self.assertIn("is no campaign of which --measured-where could choose a setting", done.stderr)
+        self.assertIn("is not a campaign of which --measured-where could choose a setting", done.stderr)
 
     def test_a_picture_replaces_no_result_of_a_run(self):
         runs = self.run_of("first", 40.0, 0.0), self.run_of("second", 20.0, 0.0)
@@ -223,7 +223,7 @@ class Folders(unittest.TestCase):
         (self.folder / "summary.json").write_text("{}")
         done = self.compare(self.folder, measured)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("is no summary of a campaign\n  allowed: the summary.json of a campaign that is done", done.stderr)
+        self.assertIn("is not a summary of a campaign\n  allowed: the summary.json of a campaign that is done", done.stderr)
 
 
 if __name__ == "__main__":

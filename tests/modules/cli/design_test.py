@@ -200,7 +200,7 @@ class Design(unittest.TestCase):
         refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.5,10\n"), code=2)
         self.assertIn("states.csv:2: the campaign has no setting of the state '0.5,10'", refused)
         refused = self.design("--scatter", self.scatter("ice.strength,hours\n0.5,10\n"), code=2)
-        self.assertIn("column 'ice.strength' is no varied key\n  allowed: `hours` and: ice.thickness", refused)
+        self.assertIn("column 'ice.strength' is not a varied key\n  allowed: `hours` and: ice.thickness", refused)
         refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,9000\n"), code=2)
         self.assertIn("hours '9000'\n  allowed: hours of a year, 0 to 8784", refused)
         refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,8000\n0.6,800\n"), code=2)
@@ -210,7 +210,7 @@ class Design(unittest.TestCase):
             self.assertIn(f"{option} requires {needed}", self.design(option, value, code=2))
         self.assertIn("no setting matches 'x*'\n  allowed: one of: thin, thick", self.design("--where", "x*", code=2))
         done = subprocess.run([BRASH, "design", str(self.folder / "cases")], capture_output=True, text=True)
-        self.assertIn("is no campaign: it has no folder cases/", done.stderr)
+        self.assertIn("is not a campaign: it has no folder cases/", done.stderr)
 
 
 if __name__ == "__main__":

@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(the_name_of_the_output_decides_its_format) {
   BOOST_TEST(read("p.wkt") == "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))\nPOLYGON ((0 5, 10 5, 10 10, 0 10, 0 5))\n");
   const auto refused = [&](const std::string& name) {
     BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", sheet, "--along", lines, "-o", (path / name).string()}), InputError,
-                          [&](const InputError& e) { return names(e, "is no format that is written"); });
+                          [&](const InputError& e) { return names(e, "is not a format that is written"); });
     BOOST_TEST(!fs::exists(path / name));
   };
   refused("p.shp");
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(the_name_of_the_output_decides_its_format) {
   BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", degrees, "--along", lines}), InputError,
                         [](const InputError& e) { return names(e, "ogr2ogr -t_srs"); });
   BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", sheet, "--along", lines, "--origin", "1"}), InputError,
-                        [](const InputError& e) { return names(e, "--origin = '1' is no place"); });
+                        [](const InputError& e) { return names(e, "--origin = '1' is not a place"); });
 }
 
 BOOST_AUTO_TEST_CASE(pieces_are_the_floes_of_a_map_or_all_its_polygons) {

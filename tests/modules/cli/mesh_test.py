@@ -182,7 +182,7 @@ class Mesh(unittest.TestCase):
         self.mesh.write_text(off([(1e3 * x, 1e3 * y, 1e3 * z) for x, y, z in vertices], faces))
         self.assertIn("write structure.scale = 0.001", self.refusal())
         self.mesh.write_text("no mesh")
-        self.assertIn("is no off file", self.refusal())
+        self.assertIn("is not in the format off", self.refusal())
         self.assertIn("there is no file", self.refusal("--set", "structure.file=missing.off"))
         self.assertIn("names no file", self.refusal("--set", "structure.file=''"))
         self.case.write_text(CASE.replace('"hull.off"', '"../hull.off"'))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every row of docs/reference/warnings.md: its command answers with its remedy, one sentence."""
+"""Every row of the mistakes in docs/reference/warnings.md: its command answers with its remedy, one sentence."""
 import os
 import pathlib
 import re
@@ -15,8 +15,9 @@ ROW = re.compile(r"^\| ([^|]+) \| `([^|`]+)` \| ([^|]+) \|$")
 
 def rows():
     """Mistake, words of the command and remedy of each row."""
-    lines = (SOURCE / "docs/reference/warnings.md").read_text(encoding="utf-8").splitlines()
-    return [(match[1], shlex.split(match[2]), match[3]) for match in map(ROW.match, lines) if match]
+    page = (SOURCE / "docs/reference/warnings.md").read_text(encoding="utf-8")
+    table = page.partition("## Mistakes of the first hour")[2]
+    return [(match[1], shlex.split(match[2]), match[3]) for match in map(ROW.match, table.splitlines()) if match]
 
 
 class Mistakes(unittest.TestCase):

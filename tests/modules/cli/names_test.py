@@ -37,7 +37,7 @@ class Names(unittest.TestCase):
                 with self.subTest(" ".join(map(str, (*words, name)))):
                     done = self.brash(*words, name)
                     self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-                    self.assertIn(f"brash: {name}: is no name of a", done.stderr)
+                    self.assertIn(f"brash: {name}: is not a name of a", done.stderr)
                     self.assertIn(f"\n  allowed: {allowed}\n", done.stderr)
                     self.assertIn("\n  remedy:  change the name", done.stderr)
         self.assertEqual(sorted(self.folder.rglob("*")), before)

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(tables_replace_no_result_of_a_run_and_not_each_other) {
                "which is an input"));
   std::ofstream(folder / "manifest.json") << R"({"outputs": [{"path": "events.csv"}, {"path": "summary.json"}]})";
   for (const char* name : {"summary.json", "manifest.json"})
-    BOOST_TEST(contains(refusal_of(history + " --exceedance " + in_folder + name), "is no result of a run"));
+    BOOST_TEST(contains(refusal_of(history + " --exceedance " + in_folder + name), "is not a result of a run"));
   BOOST_TEST(text_of("events.csv") == events);
   BOOST_TEST(text_of("summary.json") == "{}");
 
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(options_without_effect_are_refused) {
 
 BOOST_AUTO_TEST_CASE(a_threshold_that_is_no_number_is_refused) {
   const TemporaryFile file("0,1\n1,2\n2,3\n");
-  BOOST_TEST(contains(refusal_of(file.path() + " --threshold nan"), "--threshold nan is no load"));
+  BOOST_TEST(contains(refusal_of(file.path() + " --threshold nan"), "--threshold nan is not a load"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -121,7 +121,7 @@ frames_per_second = 2
         said = brash("export", "map", run, "-o", made, "--crs", "EPSG:32633").stderr
         self.assertEqual((said, json.loads(made.read_text())["crs"]), ("", CRS))
         self.assertIn("pieces", brash("pieces", made).stdout)
-        for name, part in (("EPSG:4326", "is a system of degrees"), ("32633", "is no code of a system")):
+        for name, part in (("EPSG:4326", "is a system of degrees"), ("32633", "is not a code of a system")):
             done = subprocess.run([BRASH, "export", "map", run, "--crs", name], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2)
             self.assertIn(part, done.stderr)
@@ -157,7 +157,7 @@ frames_per_second = 2
 
     def test_a_time_before_the_first_frame_and_an_unknown_format_are_refused(self):
         run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=0", "time.duration=0.5")
-        for words, part in ((["--time", "-1"], "--time"), (["-o", self.folder / "ice.shp"], "is no format that is written")):
+        for words, part in ((["--time", "-1"], "--time"), (["-o", self.folder / "ice.shp"], "is not a format that is written")):
             done = subprocess.run([BRASH, "export", "map", run / "run.nc", *map(str, words)], capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(part, done.stderr)

@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_r
   check_has(message_of(kBase + "[set]\nstructure.sped = 3\n"),
             {"plan.toml:4:18: structure.sped = 3: is not a known key", "nearest: structure.speed"});
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = 1\n"),
-            {"plan.toml:4:19: grid.structure.speed = 1: is no array of values"});
+            {"plan.toml:4:19: grid.structure.speed = 1: is not an array of values"});
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1, 2]\nice.thickness = [0.3]\n"),
             {"plan.toml:5:17", "has 1 values, but structure.speed has 2"});
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1.0, -2.0]\n"),
@@ -266,12 +266,12 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_r
             {"output.columns = \"horizontal.men\": is not a column", "nearest: horizontal.mean"});
   check_has(message_of(kBase + "[output]\ncolumns = [\"n_breaks\", \"n_breaks\"]\n"),
             {"output.columns = \"n_breaks\": is named twice"});
-  check_has(
-      message_of(kBase + "[stop]\nhalf_width = 0.1\nmost_replicates = 9\n"),
-      {"campaign.replicates = 1: is no least number of replicates for [stop]", "from 2 to stop.most_replicates = 9"});
+  check_has(message_of(kBase + "[stop]\nhalf_width = 0.1\nmost_replicates = 9\n"),
+            {"campaign.replicates = 1: is not a least number of replicates for [stop]",
+             "from 2 to stop.most_replicates = 9"});
   check_has(message_of(kBase + "[stop]\nhalf_width = 0.1\n"), {"stop.most_replicates: is missing"});
   check_has(message_of(kBase + "grid = 3\n"), {"campaign.grid = 3: is not a known key"});
-  check_has(message_of("grid = 3\n" + kBase), {"plan.toml:1:8: grid = 3: is no grid"});
+  check_has(message_of("grid = 3\n" + kBase), {"plan.toml:1:8: grid = 3: is not a grid"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -299,7 +299,7 @@ BOOST_AUTO_TEST_CASE(the_speed_is_written_in_the_motion_or_in_its_short_form) {
   BOOST_TEST(message_of(text, {"structure.motion.kind=towed"}).find("structure.speed: is missing") !=
              std::string::npos);
   BOOST_TEST(message_of(kLeastCase, {"structure.motion.kind=twoed"}).find("nearest: \"towed\"") != std::string::npos);
-  BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffness=3"}).find("is no key of structure.motion.kind") !=
+  BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffness=3"}).find("is not a key of structure.motion.kind") !=
              std::string::npos);
   BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffnes=3"}).find("is not a known key") != std::string::npos);
 }

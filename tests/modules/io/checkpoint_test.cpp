@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_is_refused) {
                         says("none.nc: cannot be opened: No such file"));
   write_results(scratch.folder().string(), {}, sample_results());
   BOOST_CHECK_EXCEPTION(read_checkpoint(scratch.path("run.nc")), InputError,
-                        says("run.nc: is no checkpoint, or was cut short"));
+                        says("run.nc: is not a checkpoint, or was cut short"));
 }
 
 BOOST_AUTO_TEST_CASE(a_cut_checkpoint_is_refused_wherever_it_is_cut) {

@@ -65,19 +65,20 @@ BOOST_AUTO_TEST_CASE(each_law_of_sizes_has_its_own_keys) {
   const std::vector<std::string> filled{"field.concentration=0.7"};
   refuses(field_of_floes(""), filled, "field.size.least");
   refuses(field_of_floes("[field.size]\nkind = \"log-normal\"\nleast = 3\n"), filled,
-          "is no key of field.size.kind = \"log-normal\"");
-  refuses(field_of_floes("[field.size]\nleast = 6\nlargest = 3\n"), filled, "no less than the largest");
+          "is not a key of field.size.kind = \"log-normal\"");
+  refuses(field_of_floes("[field.size]\nleast = 6\nlargest = 3\n"), filled, "not less than the largest");
   refuses(field_of_floes("[field.size]\nleast = 6\nlargest = 300\n"), filled, "do not fit in the field");
 }
 
 BOOST_AUTO_TEST_CASE(keys_of_the_other_kind_of_field_are_refused_with_a_remedy) {
   refuses(field_of_floes(kSizes), {"field.concentration=0.7", "field.initial_crack=true"},
-          "is no key of field.kind = \"floes\"");
-  refuses(kLeastCase, {"field.concentration=0.7"}, "is no key of field.kind = \"level-ice\"");
-  refuses(std::string(kLeastCase) + kSizes, {}, "is no key of field.kind = \"level-ice\"");
+          "is not a key of field.kind = \"floes\"");
+  refuses(kLeastCase, {"field.concentration=0.7"}, "is not a key of field.kind = \"level-ice\"");
+  refuses(std::string(kLeastCase) + kSizes, {}, "is not a key of field.kind = \"level-ice\"");
   refuses(field_of_floes(kSizes), {}, "floes are generated, or read from a file");
   refuses(field_of_floes(kSizes), {"field.file=no.wkt"}, "there is no file");
-  refuses(field_of_floes(kSizes), {"field.file=no.wkt", "field.concentration=0.7"}, "stands beside field.file");
+  refuses(field_of_floes(kSizes), {"field.file=no.wkt", "field.concentration=0.7"},
+          "cannot be combined with field.file");
 }
 
 BOOST_AUTO_TEST_CASE(one_key_names_the_borders_of_each_kind_of_field) {
@@ -87,8 +88,8 @@ BOOST_AUTO_TEST_CASE(one_key_names_the_borders_of_each_kind_of_field) {
   BOOST_TEST((read(field_of_floes(kSizes), more("field.border=walls")).field.floes.border == FloeBorder::kWalls));
   BOOST_TEST((read(kLeastCase, {}).field.border == Border::kFixed));
   BOOST_TEST((read(kLeastCase, {"field.border=free"}).field.border == Border::kFree));
-  refuses(kLeastCase, {"field.border=walls"}, "is no choice of field.kind = \"level-ice\"");
-  refuses(field_of_floes(kSizes), more("field.border=fixed"), "is no choice of field.kind = \"floes\"");
+  refuses(kLeastCase, {"field.border=walls"}, "is not a choice of field.kind = \"level-ice\"");
+  refuses(field_of_floes(kSizes), more("field.border=fixed"), "is not a choice of field.kind = \"floes\"");
   refuses(field_of_floes(kSizes), more("field.border=open"), "is not a known name");
   // The key of an earlier version names its successor.
   refuses(field_of_floes(kSizes), more("field.walls=true"), "write border = \"walls\" in its place");
@@ -102,10 +103,11 @@ BOOST_AUTO_TEST_CASE(files_of_level_ice_leave_the_initial_crack_out) {
   BOOST_TEST(!c.field.initial_crack);
   BOOST_TEST(has_ice_files(c.field));
   BOOST_TEST(!has_ice_files(read(kLeastCase, {}).field));
-  refuses(kLeastCase, {"field.openings=" + lead, "field.initial_crack=true"}, "stands beside files of the ice");
+  refuses(kLeastCase, {"field.openings=" + lead, "field.initial_crack=true"},
+          "cannot be combined with files of the ice");
   refuses(kLeastCase, {"field.cracks=no.wkt"}, "there is no file");
   refuses(field_of_floes(kSizes), {"field.concentration=0.7", "field.cracks=" + lead},
-          "is no key of field.kind = \"floes\"");
+          "is not a key of field.kind = \"floes\"");
 }
 
 BOOST_AUTO_TEST_CASE(a_rough_first_edge_is_refused_where_it_cannot_be_drawn) {

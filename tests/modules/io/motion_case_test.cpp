@@ -90,9 +90,11 @@ BOOST_AUTO_TEST_CASE(a_structure_that_backs_into_the_ice_is_judged_by_its_stern)
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_is_none_and_keys_beside_it_are_refused) {
-  check_refused(with_motion(kPath, true), "structure.speed = 1.202: stands beside structure.motion.path");
-  check_refused(with_motion(kPath, true), "structure.start_distance = 7: stands beside structure.motion.path");
-  check_refused(with_motion(kPath + "speed = 3\n"), "structure.motion.speed = 3: stands beside structure.motion.path");
+  check_refused(with_motion(kPath, true), "structure.speed = 1.202: cannot be combined with structure.motion.path");
+  check_refused(with_motion(kPath, true),
+                "structure.start_distance = 7: cannot be combined with structure.motion.path");
+  check_refused(with_motion(kPath + "speed = 3\n"),
+                "structure.motion.speed = 3: cannot be combined with structure.motion.path");
   check_refused(with_motion("path = [[0, -9, 0, 0], [10, 3, 0, 0]]\n"), "it ends at 10 s, before the run");
   check_refused(with_motion("path = [[1, -9, 0, 0], [20, 3, 0, 0]]\n"), "it begins at 1 s");
   check_refused(with_motion("path = [[0, -9, 0, 0], [20, 3, 0, 0], [20, 4, 0, 0]]\n"), "its times do not ascend");
@@ -102,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_path_that_is_none_and_keys_beside_it_are_refused) {
   check_refused(with_motion("path = [[0, -9, 0, 0]]\n"), "structure.motion.path");
   check_refused(with_motion("path = [[0, \"1 s\", 0, 0], [20, 3, 0, 0]]\n"), "structure.motion.path");
   check_refused(with_motion(kPath + "frame = \"ice-drifts-through-still-water\"\n"), "no one speed");
-  check_refused(with_motion("kind = \"free\"\n" + kPath, true), "is no key of structure.motion.kind");
+  check_refused(with_motion("kind = \"free\"\n" + kPath, true), "is not a key of structure.motion.kind");
   check_refused(with_motion(""), "structure.speed: is missing");
 }
 
@@ -117,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_body_has_the_values_that_are_written_and_leaves_the_other
   BOOST_TEST((free.body.linear_damping == Vec3{}));
   BOOST_TEST((read(to_toml(c)).structure == c.structure));
   check_refused(with_motion("kind = \"compliant\"\nstiffness = 1e6\n", true), "structure.motion.mass: is missing");
-  check_refused(with_motion("thrust = [1, 0, 0]\n", true), "is no key of structure.motion.kind");
+  check_refused(with_motion("thrust = [1, 0, 0]\n", true), "is not a key of structure.motion.kind");
 }
 
 BOOST_AUTO_TEST_CASE(a_mooring_is_read_and_one_that_cannot_hold_is_refused) {

@@ -50,11 +50,13 @@ for name, variable in run.variables.items():
     if name not in ("floe_outline", "cracked_sheet_outline"):
         assert variable.attrs["units"], name
 
-# The page names every variable; families of a vector's components are named by their first and last.
+# The page names every variable; families of a vector's components are named by their first and last, and variables of a crack
+# event by the columns of events.csv.
 page = (pathlib.Path(__file__).parents[3] / "docs/reference/outputs.md").read_text(encoding="utf-8")
 families = ("crushing_", "floe_birth_", "floe_normal_", "floe_friction_", "frame_structure_")
 for name in run.variables:
-    assert f"`{name}`" in page or name.startswith(families), name
+    column = name.removeprefix("event_")
+    assert f"`{name}`" in page or f"`{column}`" in page or name.startswith(families), name
 
 # The example of the page.
 first = np.concatenate([[0], np.cumsum(run.frame_pose_count)])

@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_closing_remark_is_left_out_with_a_note) {
   BOOST_TEST(series.rows.size() == 2U);
   BOOST_TEST_REQUIRE(series.notes.size() == 1U);
   BOOST_TEST(series.notes.at(0) ==
-             "line 9 is no row and was left out: This output file was closed on 19-Oct-2018 at 10:15:16.");
+             "line 9 is not a row and was left out: This output file was closed on 19-Oct-2018 at 10:15:16.");
   BOOST_TEST(read("plain.csv", "time,Fx\n0,1\n1,2\nend of file\n").rows.size() == 2U);
   // Within the table, and with numbers in it, the line is a broken row.
   for (const char* const bad :

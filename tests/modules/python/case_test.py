@@ -114,7 +114,7 @@ class Cases(unittest.TestCase):
             for key in (1, None, b"ice.thickness"):
                 with self.assertRaises(TypeError) as raised:
                     change({"ice.thickness": 0.4, key: 2})
-                self.assertIn(f"{key!r} is no key", str(raised.exception))
+                self.assertIn(f"{key!r} is not a key", str(raised.exception))
             with self.assertRaises(UnicodeEncodeError):
                 change({"ice.\ud800": 2})
         self.assertEqual(self.case, before)

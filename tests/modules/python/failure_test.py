@@ -216,7 +216,7 @@ class ClosedForms(unittest.TestCase):
         pile = brash.Case.from_file(DEMO, {"structure.angle": "90 deg", "field.initial_crack": False})
         np.testing.assert_array_equal(brash.ridge_of(pile, **of_ridge).keel,
                                       brash.ridge(width=13.6, ice_density=900, water_density=1025, **of_ridge).keel)
-        with self.assertRaisesRegex(TypeError, "width is that of the case"):
+        with self.assertRaisesRegex(TypeError, "width is set by the case"):
             brash.ridge_of(pile, width=3, **of_ridge)
         with self.assertRaisesRegex(brash.NotApplicable, "two at least"):
             brash.nevel_of(cone, 1)

@@ -30,7 +30,7 @@ test("a new case is one that brash check reads", () => {
     assert.equal(brash("check", file).status, 0, kind);
     assert.equal(brash("new", "-o", file).status, 2, "a file that is there stays");
   }
-  assert.match(brash("new", "--kind", "cube").stderr, /cube is no kind of structure/);
+  assert.match(brash("new", "--kind", "cube").stderr, /cube is not a kind of structure/);
   assert.equal(brash("new", "--page", page_file).status, 2);
 });
 
@@ -80,7 +80,7 @@ test("the form writes a case file, and what is written shows in the form", async
   assert.match(checked.stdout, /^thickness = 0\.45 /m);
   assert.match(checked.stdout, /^speed = 1\.5 /m);
   assert.match(checked.stdout, /^model = "wedge"/m);
-  assert.ok(!/^friction_ice/m.test(text), "an empty field is no key");
+  assert.ok(!/^friction_ice/m.test(text), "an empty field is not a key");
   await page.locator("textarea").fill(text.replace("1.5", "2.25"));
   assert.equal(await page.locator("#key-structure-speed").inputValue(), "2.25");
   // Keys of other kinds of structure are not asked for.

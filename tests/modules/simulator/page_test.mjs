@@ -148,7 +148,7 @@ test("controls change the case, and buttons play, stop and begin it anew", async
   await thickness.press("Tab");
   await page.evaluate(() => window.brashSimulator.store.checked);
   assert.match(await page.locator("#case-file textarea").inputValue(), /^thickness = "0\.4 m"/m);
-  await page.getByRole("button", { name: "Run anew" }).click();
+  await page.getByRole("button", { name: "Run again" }).click();
   await until(page, () => window.brashSimulator.simulation.report.run.duration > 0.2);
   await page.getByRole("button", { name: "Pause" }).click();
   const idle = () => !document.querySelector(".live button:nth-of-type(2)").disabled;

@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_long_record_gets_one_recommended_level_near_the_true_one)
   BOOST_TEST(level.interval.upper > truth);
   BOOST_TEST(level.interval.lower < level.value);
   BOOST_TEST(level.value < level.interval.upper);
-  BOOST_TEST(contains(analysis.reason, "tell the shape of the tail"));
+  BOOST_TEST(contains(analysis.reason, "show the shape of the tail"));
 }
 
 BOOST_AUTO_TEST_CASE(a_minute_does_not_answer_for_an_hour) {

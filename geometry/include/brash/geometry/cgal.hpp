@@ -56,7 +56,7 @@ tl::expected<std::int64_t, std::string> grid_coordinate(const Number& value, Off
   while (rest() >= half) ++units;
   while (rest() < -half) --units;
   if (off_grid == OffGrid::kRefuse && rest() != Number(0)) {
-    return tl::unexpected<std::string>("is no multiple of 2^-30 m; OffGrid::kRound rounds it");
+    return tl::unexpected<std::string>("is not a multiple of 2^-30 m; OffGrid::kRound rounds it");
   }
   return units;
 }

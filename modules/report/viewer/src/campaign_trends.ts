@@ -57,7 +57,7 @@ export function multiples(data: CampaignData, runs: Runs, column: string, key: s
     el("h3", {}, `${result.name} over ${inputOf(data, key).name}`),
     el("div", { class: "charts small" }, ...drawn.map((facet) =>
       el("div", {}, facet.title !== "" && el("h4", {}, facet.title), trend({ data, runs, column, key, lines, facet, range }).element))),
-    facets.length > drawn.length && el("p", { class: "note" }, `${facets.length - drawn.length} more combinations stand in the table.`));
+    facets.length > drawn.length && el("p", { class: "note" }, `${facets.length - drawn.length} more combinations are in the table.`));
 }
 
 /** One scale for all charts of a result, from 0. */

@@ -95,7 +95,7 @@ export class EventCard {
       ["μ₂", number(at("mu2"), 4), "", "in-plane friction over in-plane normal force"],
       ["p", kPa(at("p")), "kPa", "pressure on the contact"],
       ["p c h", loadText(force), loadUnit(), "in-plane normal force"],
-      ["σ", kPa(at("sigma_max")), "kPa", "largest principal stress where the ice is judged"],
+      ["σ", kPa(at("sigma_max")), "kPa", "largest principal stress where failure is checked"],
       ["l_break", number(at("l_break"), 4), "m", crack.isCircle ? "breaking length: radius of the crack" : "breaking length: from the tip to the crack, along the trapezoid's axis"],
       ["wedges", String(at("wedges")), "", "number of wedges drawn"],
       ["pieces", String(at("pieces")), "", "floes that came of it"],

@@ -38,7 +38,7 @@ function eventsOf({ events, mean, lower_end }: LoadStatistics, choice: LoadChoic
     el("h3", {}, `Load events of ${short}`, " ", saveButtons("load events", { CSV: save })),
     events.length === 0 ? el("p", {}, `The load ${lower_end ? "falls through its mean and rises" : "rises through its mean and falls"} back nowhere.`) : el("div", {},
       el("p", { class: "note" }, `${events.length} times the load ${lower_end ? "falls" : "rises"} through its mean of ${loadText(mean)} ${unit} and ${lower_end ? "rises" : "falls"} back, noise left out. ` +
-        (events.length > kShown ? `The ${kShown} largest:` : "All of them, the largest first:")),
+        (events.length > kShown ? `The ${kShown} largest:` : "All, the largest first:")),
       table(["peak at [s]", `peak [${unit}]`, "rise [s]", "fall [s]", `impulse [${unit} s]`], rows, { id: "load-events" })));
 }
 

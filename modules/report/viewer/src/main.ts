@@ -21,7 +21,7 @@ const kThemes = ["auto", "light", "dark"];
 function subtitle(data: PageData): string {
   const { manifest } = data;
   const two = data.kind === "run" && data.other;
-  const parts = [two ? "two simulated runs" : { run: "simulated run", live: "run that goes on", campaign: "campaign" }[data.kind]];
+  const parts = [two ? "two simulated runs" : { run: "simulated run", live: "run in progress", campaign: "campaign" }[data.kind]];
   if (manifest.seeds && !two) parts.push(`seed ${manifest.seeds.seed}`);
   if (manifest.volatile?.started_at) parts.push(manifest.volatile.started_at.slice(0, 10));
   const origins = [data.origin, ...(two ? [two.origin] : [])];

@@ -191,7 +191,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
         ],
       },
     }),
-    () => `${values.length} of them. Quantiles 5, 25, 50, 75, 95 %: ${quantiles.map((q) => number(q, 3)).join(", ")} ${unit}.`,
+    () => `${values.length} values. Quantiles 5, 25, 50, 75, 95 %: ${quantiles.map((q) => number(q, 3)).join(", ")} ${unit}.`,
   );
 }
 

@@ -147,7 +147,7 @@ export class Simulation {
 
   private tell(): void {
     const refused = this.store.error !== "";
-    this.play.textContent = this.running ? "Pause" : this.isStale ? "Run anew" : "Run";
+    this.play.textContent = this.running ? "Pause" : this.isStale ? "Run again" : "Run";
     this.play.disabled = (refused && !this.running) || (this.done && !this.isStale);
     this.once.disabled = refused || this.busy || this.done || this.isStale;
     this.again.disabled = (refused && !this.failed) || (this.busy && !this.running);

@@ -21,7 +21,7 @@ class InputError : public std::runtime_error {
   explicit InputError(const Complaint& complaint);
 };
 
-/// A run that cannot go on although its input was good. Exit code 1.
+/// A run that cannot continue although its input was good. Exit code 1.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -118,7 +118,7 @@ struct Columns<model::LoadRow> {
     visit(
         "n_floes", "1", "number of floes", [](auto& row) -> auto& { return row.n_floes; });
     visit(
-        "n_contacts", "1", "number of points at which floes bear on the structure",
+        "n_contacts", "1", "number of points at which floes press on the structure",
         [](auto& row) -> auto& { return row.n_contacts; });
     visit(
         "structure_x", "m", "place of the structure's origin along the sheet's x",
@@ -238,7 +238,7 @@ struct Columns<model::CrackEvent> {
     visit(
         "p", "Pa", "pressure on the contact", [](auto& row) -> auto& { return row.pressure; });
     visit(
-        "sigma_max", "Pa", "largest principal stress where the ice is judged",
+        "sigma_max", "Pa", "largest principal stress where failure is checked",
         [](auto& row) -> auto& { return row.sigma_max; });
     visit(
         "l_break", "m", "breaking length", [](auto& row) -> auto& { return row.breaking_length; });
@@ -313,7 +313,7 @@ struct Columns<model::SheetSplit> {
     visit(
         "push", "N", "force along the crack", [](auto& row) -> auto& { return row.push; });
     visit(
-        "stress_intensity", "Pa m^0.5", "least stress intensity on the crack's way",
+        "stress_intensity", "Pa m^0.5", "least stress intensity along the crack's path",
         [](auto& row) -> auto& { return row.stress_intensity; });
     visit(
         "thickness", "m", "thickness of the sheet", [](auto& row) -> auto& { return row.thickness; });

@@ -38,7 +38,7 @@ struct BreakCounts {
   static void visit(Self& self, Visit&& visit) {
     visit("under_floes", "1", "breaks under floes", self.under_floes);
     visit("radial_first", "1", "breaks of a sheet that a radial crack had split", self.radial_first);
-    visit("true_edge", "1", "breaks judged on the true edge", self.true_edge);
+    visit("true_edge", "1", "breaks on the true edge", self.true_edge);
     visit("along_stress", "1", "breaks whose crack followed the stress", self.along_stress);
     visit("buckled", "1", "breaks of a sheet that buckled", self.buckled);
     visit("sheets_split", "1", "drifting sheets that split in their plane", self.sheets_split);

@@ -34,7 +34,7 @@ bool acts_downwards(double mean, double minimum, double maximum);
 
 /// The warning of a load that acts towards its lower end.
 inline constexpr const char* kNegativeMean =
-    "the mean is negative, and peaks are of the upper end: give the history with the other sign for the larger loads";
+    "the mean is negative, and peaks are of the upper end: negate the history for the larger loads";
 
 /// A history with the statistics that the search for extremes needs.
 struct ExtremeRecord {
