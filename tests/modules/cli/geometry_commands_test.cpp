@@ -374,7 +374,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
   refused({"crack", "--sheet", write("empty", ""), "--events", events}, "line 1, column 1: there is no geometry");
   refused({"crack", "--sheet", bad, "--events", events}, "bad.wkt: line 2, column 3");
   refused({"crack", "--sheet", crossed, "--events", events}, "crossed.wkt: polygon 0 crosses itself");
-  refused({"crack", "--sheet", sheet, "--cutters", crossed}, "cutter 1 is not simple");
+  refused({"crack", "--sheet", sheet, "--cutters", crossed},
+          "crosses itself at (1, 0.66666666697710752) (cutters count from 0)");
   refused({"crack", "--sheet", sheet}, "--events");
   refused({"fit", "--sheet", sheet, "--at", "5,5", "--towards", "1,0"}, "no free edge within 3 m");
   refused({"fit", "--sheet", sheet, "--at", "5", "--towards", "1,0"}, "--at = '5'");
