@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A compliant tower in a host, the ice in a unit: the coupled run beside the program's own, and beside a stiff tower.
 
-tower.py [-o FOLDER] [--seconds S] [--brash PROGRAM]
+tower.py [-o FOLDER] [--seconds S] [--picture FILE.svg] [--brash PROGRAM]
 
 The host integrates a mass on a spring and a dashpot. Each step it takes the ice load of the last step, moves the tower,
 and tells the unit its place and mean velocity.
@@ -77,6 +77,27 @@ def native(options, kind, **sets):
     return np.array([[float(row[name]) for name in names] for row in table])
 
 
+def picture(file, own, coupled, stiff):
+    """Loads, and how far the tower bends, over time."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    # The same curves are the same bytes.
+    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "tower", "axes.spines.top": False, "axes.spines.right": False})
+    drawing, (loads, bends) = plt.subplots(2, 1, figsize=(7, 4.6), sharex=True, constrained_layout=True)
+    for rows, label, style in ((stiff, "stiff tower", {"color": "#b0b7c3", "lw": 0.8}),
+                               (own, "tower of the program", {"color": "#1f4e79", "lw": 1.2}),
+                               (coupled, "tower of the host, ice in a unit", {"color": "#c77700", "lw": 1.2, "ls": "--"})):
+        loads.plot(rows[:, 0], rows[:, 5] / 1e3, label=label, **style)
+        bends.plot(rows[:, 0], -1e3 * (rows[:, 1] - START - SPEED * rows[:, 0]), **style)
+    loads.set_ylabel("ice load [kN]")
+    loads.legend(frameon=False, fontsize=8, ncols=3, loc="lower left", bbox_to_anchor=(0, 1))
+    bends.set_ylabel("bend [mm]")
+    bends.set_xlabel("time [s]")
+    drawing.savefig(file, metadata={"Date": None, "Creator": None})
+    plt.close(drawing)
+
+
 def figures(options):
     file = options.folder / "cone.fmu"
     brash(options, "export", "fmu", CASE, "-o", file, structure__motion__kind="driven")
@@ -84,6 +105,8 @@ def figures(options):
     own = native(options, "compliant", **{key.replace(".", "__"): value for key, value in TOWER.items()})
     stiff = native(options, "towed")
     fine, coarse = coupled(unit, options.seconds, STEP), coupled(unit, options.seconds, 5 * STEP)
+    if options.picture:
+        picture(options.picture, own, fine, stiff)
     apart = np.abs(fine - own)
     touch = int(np.argmax(own[:, 5] != 0.0))  # the first step with a load
     foot = START + SPEED * own[:, 0]
@@ -100,6 +123,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", dest="folder", type=pathlib.Path, default=pathlib.Path("results/coupling"))
     parser.add_argument("--seconds", type=float, default=8.0)
+    parser.add_argument("--picture", type=pathlib.Path, help="loads and bends over time (SVG or PNG)")
     parser.add_argument("--brash", default="brash")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)

@@ -42,7 +42,7 @@ std::string PolygonEdges::add_ring(Ring ring, bool is_hole, std::size_t polygon)
     if (std::abs(p.x) > kMost || std::abs(p.y) > kMost) return name + ": beyond the grid at " + place(p);
   }
   const ExactArea enclosed = signed_area(ring);
-  if (enclosed == ExactArea{}) return name + ": has no area, at " + place(ring.front());
+  if (enclosed == ExactArea{} && flat_ring_.empty()) flat_ring_ = name + ": has no area, at " + place(ring.front());
   if ((enclosed < ExactArea{}) != is_hole) std::reverse(ring.begin(), ring.end());
   for (std::size_t i = 0; i < ring.size(); ++i) insert({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], polygon});
   return {};

@@ -31,6 +31,8 @@ class PolygonEdges {
 
   /// Adds the outline and the holes of a polygon, either way round. @return the error in them, or nothing.
   std::string add(const Polygon& polygon, std::size_t number);
+  /// The first ring whose turns cancel, in words. If it does not cross itself, it has no area.
+  const std::string& flat_ring() const { return flat_ring_; }
   /// All of them, as the edges come.
   std::vector<Crossing> crossings() const;
   /// The edges, led through all vertices and `crossings` in whose pixels they come.
@@ -43,6 +45,7 @@ class PolygonEdges {
 
   std::vector<Edge> edges_;  ///< crossings too, once noded() has them: edges without a length
   EdgeIndex index_;
+  std::string flat_ring_;
 };
 
 /// "(x, y)" [m], 17 digits.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brash/core/contract.hpp"
+#include "polygon_edges.hpp"
 
 namespace brash::geometry {
 namespace {
@@ -21,6 +22,13 @@ Ring ring(const std::vector<Point>& points) {
   while (result.size() > 1 && result.back() == result.front()) result.pop_back();
   if (signed_area(result) < ExactArea{}) std::reverse(result.begin() + 1, result.end());
   return result;
+}
+
+/// Two lobes of one area that run opposite ways sum to zero.
+bool crosses_itself(const Ring& ring) {
+  PolygonEdges edges;
+  edges.add({ring, {}}, 0);
+  return !edges.crossings().empty();
 }
 
 /// Whether the digits of the positions say no more than the grid holds.
@@ -101,7 +109,7 @@ tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positio
     return tl::unexpected(std::string("the ring is not closed: its last position is not its first"));
   }
   Ring result = ring(*points);
-  const bool is_flat = result.size() < 3 || signed_area(result) == ExactArea{};
+  const bool is_flat = result.size() < 3 || (signed_area(result) == ExactArea{} && !crosses_itself(result));
   if (is_flat && !are_on_grid(positions, *points, origin)) return Ring{};
   if (result.size() < 3) return tl::unexpected(std::string("the ring has fewer than 3 different vertices"));
   if (is_flat) return tl::unexpected(std::string("the ring has no area"));

@@ -67,6 +67,34 @@ class Loggers(Hostile):
         (self.path / "sheet.wkt").write_bytes(sheet.encode("utf-16"))
         self.succeeds("pieces", "sheet.wkt")
 
+    def test_eight_messy_tables_give_the_right_mean_without_editing(self):
+        def rows(separator=",", comma=False, time=lambda i: f"{0.05 * i:.2f}", lost=range(0)):
+            lines = self.rows(time, "|").splitlines(keepends=True)
+            text = "".join(line for i, line in enumerate(lines) if i not in lost)
+            return (text.replace(".", ",") if comma else text).replace("|", separator)
+
+        def stamp(i):
+            return f"2024-02-01 12:00:{0.05 * i:06.3f}"
+
+        closing = "\nThis output file was closed on 19-Oct-2018 at 10:15:16.\n"
+        tables = {
+            "utf-16.txt": ("\ufefftime [s]\tFx [kN]\r\n" + rows("\t").replace("\n", "\r\n")).encode("utf-16-le"),
+            "title.csv": "Ice basin, run 12\nOperator,N.N.\n\ntime [s],Fx [kN]\n" + rows(),
+            "comma.csv": "\ufeffZeit [s];Fx [kN]\n" + rows(";", comma=True),
+            "stamps.csv": "timestamp,Fx_kN\n" + rows(time=stamp),
+            # Whole cycles are lost, and two cells of one cycle are empty.
+            "gaps.csv": "time,Fx_kN\n" + rows(lost=range(40, 80)).replace("5.00,1\n", "5.00,\n").replace("5.10,3\n", "5.10,NA\n"),
+            "units.dat": "time  Fx\n s  kN\n" + rows("   "),
+            "closing.out": "\nSome program\n\n  Time  Fx\n (sec)  (kN)\n" + rows("  ") + closing,
+            "tabs.txt": "Recorder A\nZeit\tKraft\ns\tkN\n" + rows("\t", comma=True)}
+        for name, text in tables.items():
+            (self.path / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+            out = json.loads(self.succeeds("stats", name, "--json").stdout)
+            with self.subTest(name):
+                self.assertAlmostEqual(out["mean"], 1e3 * MEAN, delta=1e-6)
+                self.assertAlmostEqual(out["sampling"]["step"], 0.05, places=6)
+                self.assertEqual(out["unit"], "N")
+
     def test_a_title_is_told_from_rows_that_are_broken(self):
         for text in ("time,Fx\nx,y\n" + self.rows(lambda i: i), "time,Fx\n0,abc\n" + self.rows(lambda i: i + 1)):
             (self.path / "logger.csv").write_text(text)

@@ -14,6 +14,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/caliper.hpp"
+#include "brash/geometry/repair.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/io/origin.hpp"
@@ -105,17 +106,14 @@ ordered_json quantiles_json(const std::vector<double>& values) {
 
 PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const std::string& source) {
   PieceSizes sizes{source, {}, {}, 0};
+  // Pieces may overlap each other, but not themselves.
+  if (const auto faults = geometry::own_faults_of(polygons); !faults.empty())
+    throw InputError(Complaint{source, geometry::text_of(faults) + " (they count from 0)",
+                               "closed outlines that do not cross themselves, holes inside them",
+                               "draw the outlines anew, or repair the file: brash crack --sheet FILE --repair -o NEW"});
   for (const geometry::Polygon& p : polygons) {
     sizes.diameters.push_back(geometry::mean_caliper_diameter(p.outline));
     sizes.areas.push_back(geometry::area(p).square_metres());
-    if (!(sizes.areas.back() > 0.0))
-      throw InputError(Complaint{fmt::format("{}, number {}", source, sizes.areas.size()), "has no area",
-                                 "outlines counter-clockwise around their ice", "leave it out, or turn its outline"});
-    const std::string fault = geometry::fault_of(p);
-    if (!fault.empty())
-      throw InputError(Complaint{fmt::format("{}, number {}", source, sizes.areas.size()), fault,
-                                 "closed outlines that do not cross themselves, holes inside them",
-                                 "draw its outline again, or give its parts as polygons of their own"});
   }
   return sizes;
 }

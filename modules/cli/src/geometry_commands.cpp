@@ -17,6 +17,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/lines.hpp"
+#include "brash/geometry/repair.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/file_names.hpp"
@@ -46,11 +47,11 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
 
 /// Floes may overlap each other and the sheet, but not themselves.
 void refuse_crossed_floes(const std::string& path, const std::vector<Feature>& features) {
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    if (features[i].kind != "floe") continue;
-    const std::string fault = geometry::fault_of(features[i].polygon);
-    if (!fault.empty()) formats::refuse_polygons(fmt::format("{}, polygon {}, a floe", path, i + 1), fault);
-  }
+  std::vector<Polygon> floes;
+  for (const Feature& f : features)
+    if (f.kind == "floe") floes.push_back(f.polygon);
+  if (const auto faults = geometry::own_faults_of(floes); !faults.empty())
+    formats::refuse_polygons(path, geometry::text_of(faults) + " (floes count from 0)");
 }
 
 /// A map and the file that it comes from.
@@ -79,17 +80,12 @@ std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& shee
   say_left_out(path, map->left_out);
   refuse_other_crs(path, map->crs, sheet);
   std::vector<Polygon> polygons = geometry::polygons_of(map->features);
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    const Polygon& cutter = polygons[i];
-    const std::string name = fmt::format("cutter {}", i + 1);
-    if (!cutter.holes.empty()) {
-      throw InputError(
-          Complaint{path, name + " has a hole", "polygons without holes", "give its parts as polygons without holes"});
-    }
-    if (const auto alone = IceSheet::from_polygons(std::span(&cutter, 1)); !alone) {
-      formats::refuse_polygons(path, fmt::format("{} is not simple: {}", name, alone.error().what));
-    }
-  }
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    if (!polygons[i].holes.empty())
+      throw InputError(Complaint{path, fmt::format("cutter {} has a hole", i + 1), "polygons without holes",
+                                 "give its parts as polygons without holes"});
+  if (const auto faults = geometry::own_faults_of(polygons); !faults.empty())
+    formats::refuse_polygons(path, geometry::text_of(faults) + " (cutters count from 0)");
   return polygons;
 }
 
@@ -129,7 +125,7 @@ std::string ledger_text(const CrackRun& run, const Origin& origin) {
 struct CrackOptions {
   std::string sheet, events, cutters, lines, output, origin;
   int sides = 16;
-  bool release_detached = false, unites = false;
+  bool release_detached = false, unites = false, repairs = false;
 };
 
 /// The vertices of a circle of `sides` chords must not fall together on the grid.
@@ -141,11 +137,12 @@ void refuse_small_circle(const std::string& path, double radius, int sides) {
 }
 
 void refuse_other_than_one_cut(const CrackOptions& options) {
-  const auto n_given = !options.events.empty() + !options.cutters.empty() + !options.lines.empty() + options.unites;
+  const auto n_given =
+      !options.events.empty() + !options.cutters.empty() + !options.lines.empty() + options.unites + options.repairs;
   if (n_given == 1) return;
   throw InputError(Complaint{"crack", n_given == 0 ? "nothing to do" : "two things to do",
-                             "one of --events FILE.csv, --cutters FILE.wkt, --along LINES.wkt and --union",
-                             "give one of the four"});
+                             "one of --events FILE.csv, --cutters FILE.wkt, --along LINES.wkt, --union and --repair",
+                             "give one of the five"});
 }
 
 /// Counts the cuts of a file that miss their aim.
@@ -209,8 +206,9 @@ void crack(const CrackOptions& options) {
   if (!options.output.empty()) formats::check_map_name(options.output);
   SheetFile sheet{options.sheet, read_map_file(options.sheet, origin_option("crack", options.origin))};
   geometry::Map& map = sheet.map;
-  if (options.unites) {
-    const std::string ledger = formats::unite_map(options.sheet, map, say_note);
+  if (options.unites || options.repairs) {
+    const std::string ledger =
+        options.unites ? formats::unite_map(options.sheet, map, say_note) : formats::repair_map(options.sheet, map);
     if (!options.output.empty()) write_map_file(options.output, map);
     print_data(ledger + "\n");
     return say_place(options.sheet, map, !options.origin.empty());
@@ -306,6 +304,9 @@ void add_crack_command(CLI::App& app) {
       command->add_option("--along,--cracks", options->lines,
                           "lines (WKT or GeoJSON) that split sheet and floes; every part becomes a floe");
   command->add_flag("--union", options->unites, "unite the polygons of the sheet, and of the floes; cuts nothing");
+  command->add_flag(
+      "--repair", options->repairs,
+      "remove crossings and overlaps of the sheet's polygons and floes, and say what changed; cuts nothing");
   command->add_option("-o,--output", options->output,
                       "sheet and floes to write (.geojson, or .wkt without their kinds)");
   command->add_option(
@@ -324,7 +325,8 @@ void add_crack_command(CLI::App& app) {
       "Prints the ledger as JSON, areas in m2 as exact text.\n"
       "Example: brash crack --sheet sheet.wkt --events events.csv -o pieces.geojson\n"
       "         brash crack --sheet floes.geojson --along lines.wkt -o pieces.geojson\n"
-      "         brash crack --sheet scenes.geojson --union -o ice.geojson");
+      "         brash crack --sheet scenes.geojson --union -o ice.geojson\n"
+      "         brash crack --sheet drawn.geojson --repair -o sound.geojson");
   command->callback([options] { crack(*options); });
 }
 

@@ -41,12 +41,12 @@ std::string crs_member(const std::string& name) {
 }  // namespace
 
 void refuse_polygons(const std::string& where, const std::string& what) {
-  throw InputError(
-      Complaint{where, what,
-                "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
-                "that neither cross nor overlap, holes inside their outline; properties as docs/reference/command.md "
-                "lists them",
-                "correct what is named; docs/reference/command.md describes such files"});
+  throw InputError(Complaint{
+      where, what,
+      "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
+      "that neither cross nor overlap, holes inside their outline; properties as docs/reference/command.md "
+      "lists them",
+      "correct what is named; crossings and overlaps are repaired by brash crack --sheet FILE --repair -o NEW"});
 }
 
 Map read_map_file(const std::string& path, const std::optional<Origin>& origin) {

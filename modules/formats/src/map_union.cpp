@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "brash/formats/maps.hpp"
+#include "brash/geometry/repair.hpp"
 #include "brash/geometry/unite.hpp"
 
 namespace brash::formats {
@@ -47,9 +46,8 @@ std::string ledger_text(const Union& sum, const Map& map) {
 }  // namespace
 
 std::string unite_map(const std::string& path, Map& map, const io::Notes& notes) {
-  for (std::size_t i = 0; i < map.features.size(); ++i)
-    if (const std::string fault = geometry::fault_of(map.features[i].polygon); !fault.empty())
-      refuse_polygons(fmt::format("{}, polygon {}", path, i + 1), fault);
+  if (const auto faults = geometry::own_faults_of(geometry::polygons_of(map.features)); !faults.empty())
+    refuse_polygons(path, geometry::text_of(faults) + " (polygons count from 0)");
   const auto has_own_ice = [](const Feature& f) { return f.thickness || f.flexural_strength; };
   if (notes && std::ranges::any_of(map.features, has_own_ice))
     notes(path + ": left out: thickness and flexural_strength, since a union may join floes of different ice");

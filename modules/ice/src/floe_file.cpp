@@ -12,6 +12,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/repair.hpp"
 #include "brash/geometry/text.hpp"
 
 namespace brash::ice {
@@ -50,11 +51,16 @@ std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::s
   return geometry::polygons_of(features_of(text, path, origin));
 }
 
+/// The command that makes a file without faults of this one.
+std::string repair_of(const std::string& path) {
+  return fmt::format("repair the file: brash crack --sheet {} --repair -o NEW", path);
+}
+
 void expect_no_overlap(const std::vector<geometry::Polygon>& polygons, const std::string& path) {
   const auto sheet = geometry::IceSheet::from_polygons(polygons);
   if (!sheet)
     refuse(path, sheet.error().what + " (polygons count from 0)", "simple outlines that do not overlap",
-           "move or cut one; outlines may touch");
+           "move or cut one (outlines may touch), or " + repair_of(path));
 }
 
 /// How many polygons a geometry has; null has none.
@@ -204,10 +210,9 @@ GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection&
 
 std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origin) {
   std::vector<geometry::Polygon> polygons = polygons_of(read_characters(path, "file of openings"), path, origin);
-  for (std::size_t i = 0; i < polygons.size(); ++i)
-    if (const auto alone = geometry::IceSheet::from_polygons(std::span(&polygons[i], 1)); !alone)
-      refuse(fmt::format("{}, polygon {} (counted from 0)", path, i), alone.error().what, "simple outlines",
-             "correct the polygon; openings may overlap each other");
+  if (const auto faults = geometry::own_faults_of(polygons); !faults.empty())
+    refuse(path, geometry::text_of(faults) + " (polygons count from 0)",
+           "simple outlines, which may overlap each other", "correct the polygons, or " + repair_of(path));
   return polygons;
 }
 

@@ -7,6 +7,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/repair.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/geometry/unite.hpp"
@@ -147,6 +148,14 @@ geometry::Union unite_polygons(const py::object& polygons) {
   return *std::move(result);
 }
 
+/// Polygons of texts and arrays may have faults here.
+geometry::Repair repair_polygons(const py::object& polygons) {
+  const std::vector<Polygon> given = to_polygons(polygons, "polygons");
+  auto result = unlocked([&] { return geometry::repair(given); });
+  if (!result) throw InputError("polygons: " + result.error().what);
+  return *std::move(result);
+}
+
 py::list rings_of(std::span<const geometry::Ring> rings) {
   py::list out;
   for (const geometry::Ring& ring : rings) out.append(to_array(ring));
@@ -243,6 +252,47 @@ void add_values(py::module_& m) {
           "snap", [](const geometry::Union& u) { return fraction(u.snap); },
           "Area that rounding to the grid moved out of the polygons, a Fraction [m2].")
       .def_readonly("n_rounded", &geometry::Union::n_rounded, "Crossings that became new vertices.");
+  using geometry::Repair;
+  py::class_<Repair>(m, "Repair", "Polygons without faults: given = kept + overlap + folded + snap, exactly.")
+      .def_property_readonly(
+          "polygons",
+          [](const Repair& r) {
+            std::vector<Polygon> polygons;
+            for (const Repair::Part& part : r.parts) polygons.push_back(part.polygon);
+            return polygons;
+          },
+          "Simple and apart, but for common vertices and edges.")
+      .def_property_readonly(
+          "sources",
+          [](const Repair& r) {
+            std::vector<std::size_t> sources;
+            for (const Repair::Part& part : r.parts) sources.push_back(part.from);
+            return sources;
+          },
+          "Number of the given polygon that each of `polygons` is of.")
+      .def_readonly("changed", &Repair::changed, "Numbers of the given polygons whose shape is another one.")
+      .def_readonly("gone", &Repair::gone, "Those of them that nothing is left of.")
+      .def_property_readonly(
+          "faults",
+          [](const Repair& r) {
+            std::vector<std::string> faults;
+            for (const geometry::Fault& fault : r.faults) faults.push_back(fault.what);
+            return faults;
+          },
+          "The faults that were repaired, in words.")
+      .def_property_readonly(
+          "given", [](const Repair& r) { return fraction(r.given); }, "Of all given polygons, a Fraction [m2].")
+      .def_property_readonly(
+          "kept", [](const Repair& r) { return fraction(r.kept); }, "Of `polygons`, a Fraction [m2].")
+      .def_property_readonly(
+          "overlap", [](const Repair& r) { return fraction(r.overlap); },
+          "Of places that c polygons cover, c - 1 times, a Fraction [m2].")
+      .def_property_readonly(
+          "folded", [](const Repair& r) { return fraction(r.folded); },
+          "That outlines which cross themselves count wrongly, a Fraction [m2].")
+      .def_property_readonly(
+          "snap", [](const Repair& r) { return fraction(r.snap); },
+          "Area that rounding to the grid moved out of the polygons, a Fraction [m2].");
   py::class_<geometry::Trapezoid>(m, "Trapezoid", "The ice in front of a contact as the paper's trapezoid (Fig. 2).")
       .def_readonly("depth", &geometry::Trapezoid::depth, "b [m]")
       .def_readonly("contact_length", &geometry::Trapezoid::contact_length, "c [m]")
@@ -345,6 +395,10 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
       });
   m.def("unite", &unite_polygons, py::arg("polygons"),
         "Unites polygons, which may overlap, touch or be there twice; each is simple. `polygons`: as of IceSheet.");
+  m.def(
+      "repair", &repair_polygons, py::arg("polygons"),
+      "Removes crossings and overlaps. A place is ice of a polygon if its outline winds around it and no hole does; a "
+      "place of several polygons goes to the first of them. `polygons`: as of IceSheet, of any shape.");
   m.def("fit_trapezoid", &fit, py::arg("ice"), py::arg("at"), py::arg("towards"), py::arg("reach"),
         py::arg("contact_length") = 0.0,
         "Fits the trapezoid (b, c, theta) to the free edge of a sheet, or to polylines with the ice on their left.\n\n"

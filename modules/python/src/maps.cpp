@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "brash/analysis/pieces.hpp"
+#include "brash/geometry/repair.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/report/pictures.hpp"
 #include "convert.hpp"
@@ -34,9 +35,8 @@ Map read(const std::string& text, const py::object& origin) {
   auto map = geometry::read_map(text, given);
   if (!map) throw InputError("text: " + map.error().what);
   warn_of_left_out("text", map->left_out);
-  for (std::size_t i = 0; i < map->features.size(); ++i)
-    if (const std::string fault = geometry::fault_of(map->features[i].polygon); !fault.empty())
-      throw InputError(fmt::format("text: polygon {}: {}", i, fault));
+  if (const auto faults = geometry::own_faults_of(geometry::polygons_of(map->features)); !faults.empty())
+    throw InputError("text: " + geometry::text_of(faults));
   return *std::move(map);
 }
 

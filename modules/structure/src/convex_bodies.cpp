@@ -213,6 +213,14 @@ std::pair<Piece, Piece> halves(const TriangleMesh& shell, const Piece& piece) {
   return best;
 }
 
+/// Whether a face is too low for a sure normal.
+bool is_sliver(const std::array<Vec3, 3>& triangle, double extent) {
+  constexpr double kSliver = 1e-9;  // height over the extent; the normal is wrong by 1e-7
+  const double longest =
+      std::max({norm(triangle[1] - triangle[0]), norm(triangle[2] - triangle[1]), norm(triangle[0] - triangle[2])});
+  return 2.0 * norm(vector_area(triangle)) <= kSliver * extent * longest;
+}
+
 /// Some of the corners of a convex body, so that none of the others lies far outside of them.
 TriangleMesh with_few_corners(const TriangleMesh& body) {
   std::vector<Vec3> kept;
@@ -222,14 +230,14 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
   }
   double extent = 0.0;
   for (const Vec3 v : body.vertices) extent = std::max(extent, norm(v - body.vertices.front()));
-  for (TriangleMesh hull = hull_of(kept);; hull = hull_of(kept)) {
+  TriangleMesh hull = hull_of(kept);
+  while (true) {
     // The vertex that lies farthest outside of each face.
     std::vector<std::pair<double, std::size_t>> missing;
     for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
       const auto triangle = corners(hull, t);
-      const Vec3 area = vector_area(triangle);
-      if (!(norm(area) > 0.0)) continue;
-      const Vec3 normal = normalized(area);
+      if (is_sliver(triangle, extent)) continue;
+      const Vec3 normal = normalized(vector_area(triangle));
       const auto height = [&](Vec3 v) { return dot(normal, v - triangle[0]); };
       const auto farthest = std::ranges::max_element(body.vertices, {}, height);
       if (height(*farthest) > kCornerError * extent)
@@ -240,6 +248,9 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
     if (missing.empty() || room == 0) return hull;
     kept = hull.vertices;
     for (std::size_t i = 0; i < std::min(room, missing.size()); ++i) kept.push_back(body.vertices[missing[i].second]);
+    TriangleMesh larger = hull_of(kept);
+    if (larger.vertices == hull.vertices) return hull;  // rounding placed vertices outside that are not
+    hull = std::move(larger);
   }
 }
 
@@ -274,15 +285,12 @@ std::vector<Piece> pieces_of(const TriangleMesh& shell) {
 
 /// The planes of a convex hull's faces. A sliver has no sure normal, and its neighbours stand for it.
 std::vector<Plane> planes_of(const TriangleMesh& hull, double extent) {
-  constexpr double kSliver = 1e-9;  // height over the extent; its normal is wrong by 1e-7
   std::vector<Plane> planes;
   for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
     const auto triangle = corners(hull, t);
-    const Vec3 area = vector_area(triangle);
-    const double longest =
-        std::max({norm(triangle[1] - triangle[0]), norm(triangle[2] - triangle[1]), norm(triangle[0] - triangle[2])});
-    if (2.0 * norm(area) <= kSliver * extent * longest) continue;
-    planes.push_back({normalized(area), dot(normalized(area), triangle[0])});
+    if (is_sliver(triangle, extent)) continue;
+    const Vec3 normal = normalized(vector_area(triangle));
+    planes.push_back({normal, dot(normal, triangle[0])});
   }
   return planes;
 }

@@ -167,7 +167,40 @@ BOOST_FIXTURE_TEST_CASE(a_union_prints_its_ledger_and_keeps_the_kinds_apart, Fol
                         [](const InputError& e) { return names(e, "--union"); });
   const std::string bow = write("bow.wkt", "POLYGON ((0 0, 3 2, 3 0, 0 1, 0 0))");
   BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", bow, "--union"}), InputError,
-                        [](const InputError& e) { return names(e, "polygon 1"); });
+                        [](const InputError& e) { return names(e, "polygon 0 crosses itself"); });
+}
+
+BOOST_FIXTURE_TEST_CASE(a_repair_lists_faults_and_changes_and_keeps_kinds_and_ice, Folder) {
+  const std::string bow = "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))";  // of two lobes whose areas cancel
+  std::vector<geometry::Feature> drawn{{polygon_in("POLYGON ((5 0, 9 0, 9 2, 5 2, 5 0))"), "sheet", 4},
+                                       {polygon_in("POLYGON ((8 1, 11 1, 11 3, 8 3, 8 1))"), "floe", 2, 0.3, 5e5},
+                                       {polygon_in(bow), "floe", 7, 0.4},
+                                       {polygon_in("POLYGON ((6 0, 7 0, 7 1, 6 1, 6 0))"), "floe", 1}};
+  const std::string map = write("drawn.geojson", geometry::to_geojson(drawn)),
+                    sound = (path / "sound.geojson").string();
+  const auto ledger = output_of(*this, {"crack", "--sheet", map, "--repair", "-o", sound});
+  BOOST_TEST(ledger["given"] == "15");
+  BOOST_TEST(ledger["kept"] == "15");
+  BOOST_TEST(ledger["overlap"] == "2");
+  BOOST_TEST(ledger["folded"] == "-2");
+  BOOST_TEST(ledger["snap"] == "0");
+  BOOST_TEST(ledger["closes"] == true);
+  BOOST_TEST(ledger["n_gone"] == 1);
+  BOOST_TEST((ledger["changed"] == nlohmann::json{1, 2, 3}));
+  BOOST_TEST(ledger["faults"].size() == 3u);
+  const geometry::Map repaired = geometry::read_map(read("sound.geojson")).value();
+  BOOST_REQUIRE(repaired.features.size() == 4u);
+  BOOST_TEST((repaired.features[0] == drawn[0]));
+  BOOST_TEST(repaired.features[1].flexural_strength.value() == 5e5);
+  BOOST_TEST(repaired.features[2].id == 7);
+  BOOST_TEST(repaired.features[3].id == 8);
+  for (const int lobe : {2, 3}) BOOST_TEST(repaired.features[lobe].thickness.value() == 0.4);
+  // A sound map stays as it is, and a repaired one is sound.
+  output_of(*this, {"crack", "--sheet", sound, "--repair", "-o", (path / "again.geojson").string()});
+  BOOST_TEST(read("again.geojson") == read("sound.geojson"));
+  run({"pieces", sound});
+  BOOST_CHECK_EXCEPTION(run({"pieces", write("bow.wkt", bow)}), InputError,
+                        [](const InputError& e) { return names(e, "polygon 0 crosses itself at (1, 1)"); });
 }
 
 BOOST_FIXTURE_TEST_CASE(pieces_reads_a_map_that_is_wider_than_a_grid, Folder) {
@@ -341,7 +374,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
   refused({"crack", "--sheet", write("empty", ""), "--events", events}, "line 1, column 1: there is no geometry");
   refused({"crack", "--sheet", bad, "--events", events}, "bad.wkt: line 2, column 3");
   refused({"crack", "--sheet", crossed, "--events", events}, "crossed.wkt: polygon 0 crosses itself");
-  refused({"crack", "--sheet", sheet, "--cutters", crossed}, "cutter 1 is not simple");
+  refused({"crack", "--sheet", sheet, "--cutters", crossed},
+          "crosses itself at (1, 0.66666666697710752) (cutters count from 0)");
   refused({"crack", "--sheet", sheet}, "--events");
   refused({"fit", "--sheet", sheet, "--at", "5,5", "--towards", "1,0"}, "no free edge within 3 m");
   refused({"fit", "--sheet", sheet, "--at", "5", "--towards", "1,0"}, "--at = '5'");

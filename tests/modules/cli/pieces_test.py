@@ -120,10 +120,10 @@ class Maps(unittest.TestCase):
 
     def test_polygons_that_cross_themselves_are_refused(self):
         self.write("bow.wkt", SQUARE + "\n" + BOW)
-        self.refused("bow.wkt, number 2: crosses itself at (4.7", "pieces", "bow.wkt")
+        self.refused("bow.wkt: polygon 1 crosses itself at (4.7", "pieces", "bow.wkt")
         self.write("bow.geojson", feature(CROSSED, kind="floe"))
         self.write("line.geojson", feature(LINE))
-        self.refused("bow.geojson, polygon 1, a floe: crosses itself at (4.7", "crack", "--sheet", "bow.geojson",
+        self.refused("bow.geojson: polygon 0 crosses itself at (4.7", "crack", "--sheet", "bow.geojson",
                      "--along", "line.geojson")
 
 

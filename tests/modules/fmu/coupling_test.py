@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 import numpy as np
 
@@ -27,8 +28,10 @@ class Coupling(unittest.TestCase):
 
     def test_the_coupled_tower_is_the_programs_own(self):
         with tempfile.TemporaryDirectory() as folder:
+            drawing = pathlib.Path(folder) / "tower.svg"
             subprocess.run([sys.executable, "-B", SOURCE / "experiments/coupling/tower.py", "-o", folder, "--seconds", "3",
-                            "--brash", os.environ["BRASH"]], check=True, capture_output=True)
+                            "--picture", drawing, "--brash", os.environ["BRASH"]], check=True, capture_output=True)
+            self.assertTrue(xml.etree.ElementTree.parse(drawing).getroot().tag.endswith("svg"))
             found = json.loads((pathlib.Path(folder) / "coupling.json").read_text())
         # Both runs differ by round-off until a contact falls into another step. Such an impulse, 1e5 N over 0.01 s, moves
         # this tower by 1 mm/s. The whole stretch is 50 mm and more.

@@ -100,11 +100,12 @@ BOOST_AUTO_TEST_CASE(coordinates_of_a_map_are_refused_with_the_origin_to_write) 
 }
 
 BOOST_AUTO_TEST_CASE(faults_are_refused_with_their_place) {
-  refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 0, 8 0, 8 4, 2 4, 2 0))", "overlaps at (2, 0)");
+  refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 0, 8 0, 8 4, 2 4, 2 0))",
+          "polygon 0 overlaps polygon 1 at (2, 0)");
   refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 1, 8 1, 8 3, 2 3, 2 1))",
           "polygon 0 crosses polygon 1 at (4,");
   refuses("POLYGON((0 0, 8 0, 8 8, 0 8, 0 0)) POLYGON((2 2, 4 2, 4 4, 2 4, 2 2))",
-          "overlaps at (2, 2)");  // one in the other
+          "polygon 0 overlaps polygon 1 at (2, 2)");  // one in the other
   refuses("POLYGON((0 0, 30 0, 30 4, 0 4, 0 0))", "field.length = 20");
   refuses(collection(feature("Polygon", kSquare, R"({"thickness":"thick"})")), "feature 0");
   refuses(collection(feature("Polygon", kSquare, R"({"thickness":-1})")), "has the thickness -1");

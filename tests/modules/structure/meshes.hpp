@@ -62,6 +62,20 @@ inline TriangleMesh sphere(Vec3 centre, double radius, int n) {
   return mesh;
 }
 
+/// A ring of `n` prisms with `m` sides, whose section has a radius of `small` and runs `large` from the axis z.
+inline TriangleMesh torus(double large, double small, int n, int m) {
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double around = 2.0 * kPi * i / n, section = 2.0 * kPi * j / m, r = large + small * std::cos(section);
+      mesh.vertices.push_back({r * std::cos(around), r * std::sin(around), small * std::sin(section)});
+      const int next = (i + 1) % n * m, above = (j + 1) % m;
+      mesh.triangles.push_back({i * m + j, next + j, next + above});
+      mesh.triangles.push_back({i * m + j, next + above, i * m + above});
+    }
+  return mesh;
+}
+
 inline TriangleMesh joined(TriangleMesh one, const TriangleMesh& other) {
   const int first = static_cast<int>(one.vertices.size());
   one.vertices.insert(one.vertices.end(), other.vertices.begin(), other.vertices.end());

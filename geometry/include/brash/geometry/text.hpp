@@ -108,10 +108,10 @@ std::string map_to_geojson(const Map& map);
 /// without geometry; another geometry is an error.
 ///
 /// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and
-/// is then rounded to the grid. Rings must be closed (the last position equals the first) and have an area; either
-/// orientation is read, outlines come out counter-clockwise and holes clockwise. Where rounding alone makes an outline
-/// cross itself, it is made simple (without_round_off()); where it leaves a ring no area, the ring is left out. Both
-/// are counted in left_out. IceSheet::from_polygons checks that rings neither cross nor overlap.
+/// is then rounded to the grid. Rings must be closed (the last position equals the first), and have an area or cross
+/// themselves; either orientation is read, outlines come out counter-clockwise and holes clockwise. Where rounding
+/// alone makes an outline cross itself, it is made simple (without_round_off()); where it leaves a ring no area, the
+/// ring is left out. Both are counted in left_out. IceSheet::from_polygons checks that rings neither cross nor overlap.
 ///
 /// @return the map, or the error: "line L, column C: ...", both from 1, columns in bytes.
 tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin = {});

@@ -53,4 +53,11 @@ geometry::Map ice_map(const Replay& run, double time);
 /// @throws InputError naming a polygon that is not simple.
 std::string unite_map(const std::string& path, geometry::Map& map, const io::Notes& notes = {});
 
+/// Removes crossings and overlaps of the polygons of a map, whatever their kinds (geometry::repair()). The parts of a
+/// polygon keep its kind and its ice; all but the first get new ids.
+/// @param path  of the map, for messages.
+/// @return what was changed, and the ledger of the areas, as JSON.
+/// @throws InputError when a fault remains.
+std::string repair_map(const std::string& path, geometry::Map& map);
+
 }  // namespace brash::formats
