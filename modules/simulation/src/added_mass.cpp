@@ -25,7 +25,7 @@ Twist by_share(const Twist& against_water, double old_mass, double mass) {
   return {kept * against_water.linear, kept * against_water.angular};
 }
 
-/// Likewise of a plate: momentum is kept along each axis.
+/// The same for a plate: momentum is kept along each axis.
 Twist by_axis(const Twist& against_water, const Pose& pose, const rigid_body::MassProperties& old,
               const rigid_body::MassProperties& now) {
   const Vec3 w = rotate(conjugate(pose.rotation), against_water.angular), i = old.inertia, j = now.inertia;

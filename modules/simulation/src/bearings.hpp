@@ -28,7 +28,7 @@ class Bearings {
                const std::function<std::optional<int>(BodyId)>& level_ice_of, double dt,
                const std::function<rigid_body::ContactLoad(int, const rigid_body::ContactLoad&)>& in_sheet = {});
 
-  /// The floe is no more.
+  /// The floe no longer exists.
   void forget(BodyId floe);
   /// Level ice number `level_ice` has broken within `radius` of `at`.
   void forget_within(int level_ice, Vec2 at, double radius);

@@ -155,7 +155,7 @@ std::string when_they_begin(const model::Case& c, const Course& course, const St
                      longer_run(c, from, course.speed, scales.characteristic_length));
 }
 
-/// Statistics that begin by output.statistics_from before the load is that of ice which the structure breaks.
+/// Statistics that begin by output.statistics_from before the load comes from ice which the structure breaks.
 void add_early_warning(const model::Case& c, const Course& course, double radius, Warnings& warnings) {
   if (!comes_at_its_speed(c) || !c.output.statistics_from) return;
   const bool of_paper = c.algorithm.preset == model::Preset::kPaper;
@@ -206,7 +206,7 @@ void add_broken_step_warning(const model::TimeSection& time, Warnings& warnings)
                                   std::floor(steps) * time.step, std::ceil(steps) * time.step)});
 }
 
-/// What a typical piece of `area` [m2] does not bear, which is squeezed at `speed` [m/s].
+/// Settings that do not suit a typical piece of `area` [m2], which is squeezed at `speed` [m/s].
 void add_piece_warnings(const model::Case& c, double speed, double area, double collision_time, Warnings& warnings) {
   if (c.failure.smallest_floe > area)
     warnings.push_back({"all-brash", fmt::format("failure.smallest_floe = {} m2, and a typical piece has {:.2g} m2: "
@@ -257,7 +257,7 @@ constexpr double kEvenOver = 0.5;
 constexpr double kSolvedPoissonRatio = 0.3;
 constexpr double kNearPoissonRatio = 0.05;
 
-/// A file of the user's own may be for another ratio, which it does not tell.
+/// A file of the user's own may be for another ratio, which it does not state.
 void add_poisson_warning(const model::Case& c, Warnings& warnings) {
   if (std::abs(c.ice.poisson_ratio - kSolvedPoissonRatio) <= kNearPoissonRatio) return;
   const model::FailureSection& failure = c.failure;

@@ -50,7 +50,7 @@ void add_structure_warnings(const model::Case& resolved, const DerivedScales& sc
 /// Keys that differ from their defaults and do nothing, because another key was left out.
 void add_idle_keys_warning(const model::Case& resolved, Warnings& warnings);
 
-/// All of them. docs/reference/warnings.md
+/// All warnings of the case. docs/reference/warnings.md
 Warnings case_warnings(const model::Case& resolved, const DerivedScales& scales,
                        const failure::BendingCriterion& criterion);
 

@@ -179,7 +179,7 @@ std::optional<Vec2> push_of(const EdgeModel& model, const geometry::IceSheet& sh
                        kFitReach * failure::characteristic_length(model.ice));
 }
 
-/// Whether a floe presses inside the ice, where a load on the edge does not stand for it.
+/// Whether a floe presses inside the ice, where a load on the edge does not represent it.
 bool presses_inside(const geometry::IceSheet& sheet, const EdgeContact& contact) {
   return contact.floe != model::kNoFloe &&
          sheet.free_edge(contact.region.midpoint, contact.region.contact_length).empty();
@@ -191,7 +191,7 @@ double bending_force(const EdgeModel& model, const EdgeContact& contact) {
   return std::abs(contact.on_ice.z) + arm * norm(plan(contact.on_ice));
 }
 
-/// Whether a load that bends within l_c is more than twice as strong. The ice is then judged there.
+/// Whether a load that bends within l_c is more than twice as strong. The ice is then checked there.
 bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& contacts, const EdgeContact& own) {
   const double l_c = failure::characteristic_length(model.ice), most = 2.0 * bending_force(model, own);
   return std::ranges::any_of(contacts, [&](const EdgeContact& other) {
@@ -205,7 +205,7 @@ void bound_disc(const failure::IceProperties& ice, failure::Assessment& answer) 
   if (answer.fails && answer.crack.empty()) answer.breaking_length = std::max(answer.breaking_length, ice.thickness);
 }
 
-/// Puts the crack on the sheet, and the contact of a floe where it was judged.
+/// Puts the crack on the sheet, and the contact of a floe where it was checked.
 void move_to(const Frame& frame, EdgeContact& contact) {
   for (Vec2& point : contact.assessment.crack) point = frame.on_sheet(point);
   if (contact.floe == model::kNoFloe) return;

@@ -20,7 +20,7 @@
 
 namespace brash::simulation {
 
-/// The chord at which the structure would touch an edge at rest. It tells a moving edge from the others.
+/// The chord at which the structure would touch an edge at rest. It shows which moving edge is meant.
 struct Touch {
   Vec2 tip{};           ///< its middle [m]
   double length = 0.0;  ///< [m]
@@ -43,14 +43,14 @@ struct EdgeContact {
   Vec3 point{};         ///< where it acts [m]
   Vec3 normal{};        ///< unit, mean over the surface that crushes, into the ice
   double area = 0.0;    ///< of that surface, seen along `normal` [m2]
-  double bound = 0.0;   ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
+  double bound = 0.0;   ///< F_n of Eq. 15: the most that the ice carries along `normal` [N]
   double spread = 0.0;  ///< the smaller of its forces to one side of the chord's normal and the other [N]
   bool bends = true;    ///< whether the surface has a slope; a vertical one crushes the ice only
   /// Where the assessment comes from.
   enum class Verdict {
     kSolved,   ///< the criterion
     kKept,     ///< an earlier one: Verdicts::recall()
-    kControl,  ///< likewise; the criterion says `control`
+    kControl,  ///< an earlier one too; the criterion says `control`
   };
   Verdict kept = Verdict::kSolved;
   failure::Assessment control{};
@@ -79,7 +79,7 @@ struct Freeboard {
   double bottom = 0.0;
 };
 Freeboard freeboard(const model::Case& resolved);
-/// Likewise of ice of another thickness [m].
+/// The same for ice of another thickness [m].
 Freeboard freeboard(const model::Case& resolved, double thickness);
 
 /// Ice as the failure criterion sees it.
@@ -110,7 +110,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
                                        const std::function<double(const Touch&)>& shift_of = {});
 
 /// The contacts of a structure that is a body with mass, as the solver takes them: each acts on the structure and on
-/// the ice, which does not yield, and bears its crushing force at most. Contacts that crush nothing are left out.
+/// the ice, which does not yield, and carries its crushing force at most. Contacts that crush nothing are left out.
 /// @param friction  Coulomb coefficient of ice and structure [-].
 std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact> contacts, BodyId structure,
                                                      double friction);
@@ -132,14 +132,14 @@ using MotionOf = std::function<failure::EdgeMotion(const EdgeContact&)>;
 /// Calls `judge(i)` for each i in [0, n), in any order, on any thread.
 using ShareOut = std::function<void(std::size_t n, const std::function<void(std::size_t i)>& judge)>;
 
-/// Judges contacts with the same sheet by the model's criterion. A criterion that does not solve the sheet knows loads
-/// on the edge alone: floes that press farther inside than the length of their line are not judged.
+/// Evaluates contacts with the same sheet by the model's criterion. A criterion that does not solve the sheet knows
+/// loads on the edge alone: floes that press farther inside than the length of their line are not evaluated.
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
             const MotionOf& motion_of, const ShareOut& share_out);
 /// On edges that do not move, one contact after the other.
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts);
 
-/// Where the ice cracks at a contact. A structure that cuts deep before the ice breaks stands in a notch, and the chord
+/// Where the ice cracks at a contact. A structure that cuts deep before the ice breaks is in a notch, and the chord
 /// joins the notch's ends. If half the breaking length ends inside the notch, chord and crack move to the ice ahead, B.
 EdgeContact before_the_notch(EdgeContact contact);
 

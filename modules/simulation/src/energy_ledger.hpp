@@ -51,7 +51,7 @@ class EnergyLedger {
   /// Of the structure's work on the edge, this moved a sheet [J].
   void book_pushed_sheet(double work) { losses_.edge -= work; }
 
-  /// Drifting sheets begin the run with this kinetic energy, that of a current [J].
+  /// Drifting sheets begin the run with this kinetic energy, which a current gives [J].
   void book_drift_at_start(double kinetic) { birth_ += kinetic; }
 
   /// Drifting sheets have lost or, negative, received this kinetic energy with ice that came or went [J].

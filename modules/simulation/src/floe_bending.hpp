@@ -12,7 +12,7 @@
 
 namespace brash::simulation {
 
-/// A floe that bends more than its ice bears, and the section in which it splits.
+/// A floe that bends more than its ice can take, and the section in which it splits.
 struct Fracture {
   BodyId body;
   Section section;
@@ -31,7 +31,7 @@ class FloeBending {
   /// Floes whose tension exceeds their flexural strength, each with its most stressed section, sorted by body.
   std::vector<Fracture> fractures(const FloePopulation& floes) const;
 
-  /// The floe is no more.
+  /// The floe no longer exists.
   void forget(BodyId floe) { floes_.erase(floe); }
 
   void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;

@@ -60,8 +60,8 @@ struct Floe {
   Vec3 stream{};                         ///< velocity of the water around it [m/s]
   KeptDrag kept_drag{};
   Wrench drag{};                   ///< of the last step, form and rotational, about the centre of mass
-  Wrench skin_friction{};          ///< likewise
-  Wrench pressure{};               ///< likewise, of accelerated water and of the air on its top
+  Wrench skin_friction{};          ///< of the last step, about the centre of mass
+  Wrench pressure{};               ///< as `skin_friction`, of accelerated water and of the air on its top
   MeanStress stress{};             ///< from contact forces
   std::array<double, 6> dipole{};  ///< of the last step: sum of arm x force, symmetric part, as MeanStress::now [N m]
   double contact_pressure = 0.0;   ///< of the last step: the largest normal force of a contact over its area [Pa]
@@ -126,7 +126,7 @@ class FloePopulation {
 
   /// Fixes a floe where it is.
   void put_to_sleep(rigid_body::World& world, BodyId body);
-  /// To be called when a floe has woken: the potential energy of those asleep is added up anew when it is asked for.
+  /// To be called when a floe has woken: the potential energy of floes asleep is added up again when it is asked for.
   void forget_asleep_height() { asleep_height_.reset(); }
 
   /// Potential energy of weight and buoyancy against floating at rest [J].

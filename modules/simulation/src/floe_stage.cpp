@@ -35,7 +35,7 @@ Clear clear_of_structure(const State& s, const Laws& laws, bool fall) {
 
 bool may_sleep(const State& s, const Laws& laws) { return laws.resolved.time.settle_speed > 0.0 && !s.sheets.any(); }
 
-/// A floe is no more: everything that keeps data of it is told. The watchdog keeps its account, for its pieces.
+/// A floe no longer exists: everything that keeps data of it drops it. The watchdog keeps its account, for its pieces.
 Floe take_out(State& s, BodyId body) {
   s.energy.remove(s.world, s.floes, body);
   s.sleep.forget(s.floes, body);

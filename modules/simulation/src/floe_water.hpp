@@ -25,7 +25,7 @@ class FloeWater {
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
 
  private:
-  /// The structure's flow as a floe meets it; of legs that of the nearest one alone.
+  /// The structure's flow as a floe meets it; with legs, the flow of the nearest one alone.
   struct Flow {
     Vec3 velocity{};      ///< [m/s]
     Vec3 acceleration{};  ///< Du/Dt [m/s2]

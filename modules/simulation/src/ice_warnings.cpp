@@ -141,7 +141,7 @@ void add_floe_ice_warnings(const model::Case& c, Warnings& warnings) {
 /// The share of the thickness above water below which a percent of error in a density is half of the freeboard [-].
 constexpr double kLeastFreeboard = 0.02;
 
-/// Ice bears less in bending than in compression: its tensile side fails first.
+/// Ice carries less in bending than in compression: its tensile side fails first.
 void add_order_warning(const model::IceSection& ice, Warnings& warnings) {
   if (ice.compressive_strength >= ice.flexural_strength) return;
   warnings.push_back({"strengths", fmt::format("ice.compressive_strength = {} is less than ice.flexural_strength = {}, "

@@ -25,7 +25,7 @@ std::optional<hydrodynamics::Drag> KeptDrag::follow(const rigid_body::MassProper
   const double square = inner(mass, now, now), square_then = inner(mass, velocity, velocity);
   if (square == 0.0) return hydrodynamics::Drag{};
   const double ratio = std::sqrt(square / square_then);
-  if (!std::isfinite(ratio)) return std::nullopt;  // rest tells nothing of a motion
+  if (!std::isfinite(ratio)) return std::nullopt;  // rest shows nothing of a motion
   const double off = std::max(0.0, 2.0 * (square - ratio * inner(mass, now, velocity)));
   left -= dt * (std::sqrt(square / mass.mass) + kTurn * std::sqrt(off / mass.mass));
   if (left <= 0.0) return std::nullopt;

@@ -13,7 +13,7 @@ namespace brash::simulation {
 struct KeptDrag {
   hydrodynamics::Drag drag;
   Twist velocity{};   ///< against the water at which it was taken, body frame
-  double left = 0.0;  ///< how far the floe may go on with it [m]; at 0 the drag is recomputed in the next step
+  double left = 0.0;  ///< how far the floe may still move with it [m]; at 0 the drag is recomputed in the next step
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {

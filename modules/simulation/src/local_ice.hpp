@@ -7,7 +7,7 @@
 
 namespace brash::simulation {
 
-/// The ice at a contact. Plate theory knows even ice alone, so a contact is loaded and judged as if all of the sheet
+/// The ice at a contact. Plate theory knows even ice alone, so a contact is loaded and evaluated as if all of the sheet
 /// were as it is there. docs/theory/ice.md
 class LocalIce {
  public:

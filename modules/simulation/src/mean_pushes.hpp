@@ -32,10 +32,10 @@ class MeanPushes {
  public:
   using Pair = std::pair<BodyId, BodyId>;  ///< the lower id first
 
-  /// Tells by how much the mean push on a floe has changed [N].
+  /// Reports by how much the mean push on a floe has changed [N].
   using Tell = std::function<void(BodyId floe, Vec3 change)>;
 
-  /// Takes in the contacts of the last step, and tells the changes for floes that are asleep. Floes that
+  /// Takes in the contacts of the last step, and reports the changes for floes that are asleep. Floes that
   /// have woken since the last call are known to wake().
   /// @param share  weight of the step, dt over the time of averaging [-].
   /// @param least  a mean smaller than this is forgotten [N].
@@ -44,7 +44,7 @@ class MeanPushes {
   /// A floe has woken.
   void wake(BodyId floe);
 
-  /// Takes a floe out, and tells the changes for the floes that it pushed.
+  /// Takes a floe out, and reports the changes for the floes that it pushed.
   void forget(BodyId floe, const Tell& tell);
 
   /// The mean force of the second floe of each pair on the first [N].

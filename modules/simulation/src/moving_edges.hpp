@@ -19,7 +19,7 @@ class MovingEdges {
   /// @param dynamics  of each level ice; empty: edges do not move.
   explicit MovingEdges(std::vector<failure::EdgeDynamics> dynamics) : dynamics_(std::move(dynamics)) {}
 
-  /// How far the edge that is touched will have given way at a time, if its load goes on as before: along the
+  /// How far the edge that is touched will have given way at a time, if its load continues as before: along the
   /// way in which it is pushed, negative for down [m].
   double shift(int level_ice, const Touch& touched, double time) const;
 

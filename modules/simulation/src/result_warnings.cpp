@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results that cannot bear their use.
+// Results that cannot support their use.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ void add_coverage_warning(const RunSummary& s, std::span<const model::LoadRow> l
                                    100.0 * first, 100.0 * second)});
 }
 
-/// When the ice last bore on the structure [s].
+/// When the ice last loaded the structure [s].
 std::optional<double> last_load(std::span<const model::LoadRow> loads) {
   std::optional<double> last;
   for (const model::LoadRow& row : loads)

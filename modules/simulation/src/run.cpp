@@ -142,10 +142,10 @@ struct Progress {
   Simulation simulation;
   Recorder recorder;
   Counts counts;
-  std::vector<model::Warning> earlier_warnings{};  ///< that the state to go on from brought along
+  std::vector<model::Warning> earlier_warnings{};  ///< that the state to continue from brought along
   double recording_seconds = 0.0;
   double checkpoint_seconds = 0.0;       ///< of the recording
-  double last_checkpoint_seconds = 0.0;  ///< of them
+  double last_checkpoint_seconds = 0.0;  ///< of the last checkpoint alone
   StageTimer timer{};
   Clock::time_point begun = Clock::now();
   Clock::time_point last_checkpoint = begun;  ///< or the beginning
@@ -170,7 +170,7 @@ std::vector<model::Warning> warnings_in(const model::Checkpoint& checkpoint) {
 
 /// So many steps at most are made again to find the state before one that failed or was interrupted.
 constexpr std::int64_t kStepsAgain = 100;
-/// And so many seconds of them, unless states take more than this share of the time.
+/// And so many seconds of such steps, unless states take more than this share of the time.
 constexpr double kSecondsAgain = 1.0;
 constexpr double kKnownShare = 0.01;
 

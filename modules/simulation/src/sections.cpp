@@ -11,7 +11,7 @@ namespace brash::simulation {
 namespace {
 
 constexpr int kDirections = 12;
-/// In each direction; odd, so that one of them halves a symmetric floe. Between two of them a moment may be missed: at
+/// In each direction; odd, so that one section halves a symmetric floe. Between two sections a moment may be missed: at
 /// most a sixth of the largest under a point load in the middle half of a free floe.
 constexpr int kSectionsEach = 17;
 

@@ -120,7 +120,7 @@ struct Outline {
     }
     return inside;
   }
-  /// Whether a place lies beyond an end, where the edge is taken to go on sideways, and in front of it.
+  /// Whether a place lies beyond an end, where the edge is taken to continue sideways, and in front of it.
   bool ends_before(Vec2 place) const {
     const Vec2 front = line.front(), back = line.back();
     return (place.y < front.y && place.x < front.x) || (place.y > back.y && place.x < back.x);

@@ -23,7 +23,7 @@ class SheetTiles {
   /// @param sheet  the body of a plate that drifts.
   void lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame = {},
            BodyId sheet = rigid_body::kNoBody);
-  /// Likewise the tiles within `reach` of the edge of the plate, where that is within `reach` [m] of `box`.
+  /// Lays in the same way the tiles within `reach` of the edge of the plate, where that is within `reach` [m] of `box`.
   void lay_edge(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& box, double reach,
                 const Pose& frame, BodyId sheet);
   /// Renews the tiles that are laid and meet the part of `plate` that has changed.

@@ -20,7 +20,7 @@ struct SplittingForce {
 /// The contacts of the structure with level ice number `level_ice` as one wedge (G6); nothing where they do not push.
 std::optional<SplittingForce> splitting_force(std::span<const EdgeContact> contacts, int level_ice);
 
-/// The rectangle that stands for a sheet: as long as the crack's line to the far border, and twice as broad as the
+/// The rectangle that represents a sheet: as long as the crack's line to the far border, and twice as broad as the
 /// narrower side of the ice ahead. Nothing without ice ahead and on both sides.
 std::optional<failure::SplitPlate> rectangle_ahead(const geometry::IceSheet& sheet, const SplittingForce& force);
 

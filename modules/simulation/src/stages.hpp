@@ -17,7 +17,7 @@ EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate);
 /// Moves the structure by the largest part of `share` of the step that keeps within two limits; `share` becomes that
 /// part. Contacts stay below the failure model's upper range (Sec. 2.2.2: "a shorter time step can avoid it"). It
 /// cannot where a contact is above already: the step is then left whole. And no ice is loaded far beyond its strength,
-/// as far as the verdicts before can tell: docs/theory/simulation.md, (S7). The trailing outlines then crush the ice
+/// as far as the verdicts before can show: docs/theory/simulation.md, (S7). The trailing outlines then crush the ice
 /// that they cover. So the contacts belong to the state that is reached, however short or long the step.
 /// @param done  share of the step before.
 /// @return the structure's contacts with level ice, without a verdict.
@@ -40,7 +40,7 @@ void expect_on_the_plane(const State& s, const Laws& laws);
 /// course at the start.
 void initial_crack(State& s, const Laws& laws, Step& step);
 /// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
-/// and leaves its plate, and the parts that it has held go on by themselves. @return whether there was any.
+/// and leaves its plate, and the parts that it has held continue on their own. @return whether there was any.
 bool crush_passed_ice(State& s, const Laws& laws, double time, Step& step);
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order. A contact as
 /// near to a break of this step as its crack reaches is left to the next step.
@@ -59,7 +59,7 @@ std::vector<geometry::Polygon> outlines_in_world(const State& s);
 model::CrackEvent in_world(const State& s, int level_ice, model::CrackEvent event);
 /// Whether the hull comes near the box of level ice. Fast ice is large, and always counts as near.
 bool is_near(const State& s, const Laws& laws, const ice::Plate& plate, const structure::State& seen);
-/// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
+/// The collision shapes of level ice wherever the floe could meet them, or be in their lee, in this step.
 void lay_sheet_near(State& s, const Laws& laws, BodyId body);
 /// Sheets and their collision shapes go into the step of the bodies.
 void hand_over_sheets(State& s, const Laws& laws);

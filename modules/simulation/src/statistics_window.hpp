@@ -9,7 +9,7 @@ namespace brash::simulation {
 /// The structure as the field sees it, where nothing resists it.
 struct Course {
   double speed = 0.0;   ///< mean over the run [m/s]
-  Vec2 velocity{};      ///< likewise [m/s]
+  Vec2 velocity{};      ///< mean over the run [m/s]
   double axis = 0.0;    ///< x of its last axis at t = 0 [m]
   double bow = 0.0;     ///< x of its foremost point in the ice at t = 0 [m]
   double end = 0.0;     ///< largest x of its foremost point in the run [m]

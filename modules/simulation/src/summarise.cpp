@@ -61,8 +61,8 @@ LoadSplit split(std::span<const model::LoadRow> rows, Axis axis) {
           mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_friction.force); })};
 }
 
-/// Of the legs, or of the regions of a ship or a mesh. Where no ice touches a hull, its regions bear zero; a hull that
-/// bears a load on none of them has no regions.
+/// Of the legs, or of the regions of a ship or a mesh. Where no ice touches a hull, its regions carry zero; a hull that
+/// carries a load on none of its regions has no regions.
 std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, const model::StructureSection& structure) {
   const std::size_t n_legs = structure.legs.size();
   const std::size_t first = n_legs > 0 ? model::kHullRegions : 0;

@@ -78,7 +78,7 @@ void Watchdog::look(const Watched& now) {
   look_at_balance(now);
 }
 
-/// One for each floe that is there, with nothing in that of a new one.
+/// One account for each floe that is there, empty for a new floe.
 void Watchdog::open_accounts(const FloePopulation& floes) {
   if (next_id_ != floes.next_id()) {
     for (const auto& [body, floe] : floes.floes())

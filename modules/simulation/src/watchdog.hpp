@@ -46,7 +46,7 @@ class Watchdog {
   void remove(BodyId body, double weight);
 
   void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
-  /// Goes on with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
+  /// Continues with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
   void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);
 
   /// The members that are not of one floe.

@@ -63,7 +63,7 @@ struct RunSummary {
   statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
   LoadSplit horizontal_split;
   LoadSplit vertical_split;
-  std::vector<RegionMean> regions;     ///< of a hull with regions, empty where none of them bore a load
+  std::vector<RegionMean> regions;     ///< of a hull with regions, empty where no region carried a load
   double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
   double mean_vertical_whole = 0.0;
   double maximum_horizontal_whole = 0.0;
@@ -81,8 +81,8 @@ struct RunSummary {
   int n_floes_broken = 0;                         ///< again, into floes of their own
   std::vector<double> piece_area_quantiles;       ///< 5, 25, 50, 75, 95 % [m2]
   std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
-  /// Likewise of CrackEvent::overload, and of the largest stress over the strength, where the structure broke the ice
-  /// and the overload is known [-].
+  /// The same quantiles of CrackEvent::overload, and of the largest stress over the strength, where the structure broke
+  /// the ice and the overload is known [-].
   std::vector<double> overload_quantiles, stress_quantiles;
   int n_substepped = 0;  ///< steps that were cut into parts
   int n_below_range = 0;
@@ -90,7 +90,7 @@ struct RunSummary {
   int n_steps_too_long = 0;
   double sum_of_last_changes = 0.0;    ///< StepReport::last_change over all steps [m/s]
   double mean_last_change = 0.0;       ///< [m/s]
-  double largest_last_change = 0.0;    ///< likewise [m/s]
+  double largest_last_change = 0.0;    ///< the largest of all steps [m/s]
   int n_unsettled_steps = 0;           ///< steps whose last change exceeds settled_residual()
   std::optional<double> fastest_floe;  ///< largest speed of any floe between two frames [m/s]; absent without frames
   std::optional<InitialFloes> initial_floes;  ///< absent: the ice is level
@@ -115,10 +115,10 @@ struct Run {
 struct CheckpointStore {
   std::string name{};                                          ///< in messages: a file
   std::function<void(const model::Checkpoint&)> keep{};        ///< replaces the state kept before
-  std::function<std::optional<model::Checkpoint>()> newest{};  ///< to go on from; nothing: start at 0 s
+  std::function<std::optional<model::Checkpoint>()> newest{};  ///< to continue from; nothing: start at 0 s
 };
 
-/// Adds a warning to a state. A run that goes on from there has the warning too, and so have its own states.
+/// Adds a warning to a state. A run that continues from there has the warning too, and so have its own states.
 void add_warning(model::Checkpoint& checkpoint, const model::Warning& warning);
 
 /// Options around the loop of a run.
@@ -137,8 +137,8 @@ struct RunOptions {
 
 /// Runs `resolved` to its end, or to where it is interrupted.
 /// @throws InputError when the checkpoint is of another case.
-/// @throws RunError when a step fails or is no physics (docs/theory/simulation.md): the step, the reason, and where the
-///         state before it is kept.
+/// @throws RunError when a step fails or is not physical (docs/theory/simulation.md): the step, the reason, and
+///         where the state before it is kept.
 /// @throws whatever `checkpoint` throws, and std::bad_alloc when there is not enough memory. The last
 ///         checkpoint then remains.
 Run run(const model::Case& resolved, const RunOptions& options = {});
@@ -149,7 +149,7 @@ std::string to_json(const RunSummary& summary);
 /// The window of a run's statistics. It begins as `output.statistics_from` says, or when the structure's last_axis()
 /// has passed the last floe of the initial crack: the program cut these floes, so their loads say nothing about the
 /// ice. The preset `paper`, and ice without that crack, begin at the initial edge. The window ends when the foremost
-/// point of a structure that goes as it is told leaves fixed level ice.
+/// point of a structure that goes where the case says leaves fixed level ice.
 /// @param initial_crack_radius  of DerivedScales [m].
 StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius);
 

@@ -27,7 +27,7 @@ struct FloeDeath {
 struct BreakCounts {
   int under_floes = 0;   ///< a floe pressed on the ice
   int radial_first = 0;  ///< a radial crack had split the sheet
-  int true_edge = 0;     ///< judged on the sheet with its true edge; the others on a trapezoid
+  int true_edge = 0;     ///< checked on the sheet with its true edge; the others on a trapezoid
   int along_stress = 0;  ///< the crack followed the stress; the others cut a disc
   int buckled = 0;       ///< the sheet buckled under its in-plane load
   int sheets_split = 0;  ///< besides: drifting sheets that split in their plane
@@ -48,9 +48,9 @@ struct BreakCounts {
 /// Verdicts that were kept from an earlier solution: docs/theory/simulation.md, (S6).
 struct KeptCounts {
   int kept = 0;         ///< verdicts
-  int controls = 0;     ///< of them, solved all the same, to count misses
+  int controls = 0;     ///< kept verdicts, solved all the same, to count misses
   int late = 0;         ///< controls that had failed before their contact was solved
-  double latest = 0.0;  ///< the longest time that one of them had [s]
+  double latest = 0.0;  ///< the longest time that a late control had [s]
 
   KeptCounts& operator+=(const KeptCounts& other);
 
@@ -123,7 +123,7 @@ class Simulation {
   ///                 depend on their number.
   /// @throws InputError when the failure model cannot be read.
   explicit Simulation(const model::Case& resolved, int threads = 1);
-  /// Takes a run of the same case up where `checkpoint` left it; it goes on as if it had not been interrupted.
+  /// Takes a run of the same case up where `checkpoint` left it; it continues as if it had not been interrupted.
   /// @throws InputError when the checkpoint is of another case.
   Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint, int threads = 1);
   Simulation(Simulation&&) noexcept;
@@ -132,7 +132,7 @@ class Simulation {
 
   /// Says where the structure goes in the next step, with structure.motion.kind = "driven": to `goal.pose`, straight
   /// and with an even turn. Contacts see it move at `goal.twist`, which should be the mean velocity of that way.
-  /// Without a call the structure goes on at its last twist. A second call before the step replaces the first.
+  /// Without a call the structure continues at its last twist. A second call before the step replaces the first.
   /// @param goal  pose of the hull's frame, and the twist of its origin, sheet frame [m], [m/s], [rad/s].
   /// @throws InputError when the case has another motion, or a value is not finite or no rotation.
   void drive(const structure::State& goal);

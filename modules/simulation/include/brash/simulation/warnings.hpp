@@ -26,12 +26,12 @@ std::vector<model::Warning> warnings_of(const RunSummary& summary, std::span<con
 /// % of the distance that the ice moves, and mean loads may be some 5 % too low.
 double settled_residual(Vec2 structure, Vec2 current);
 
-/// Whether the loads of a run with these warnings get intervals: the run is long enough, and ice bore on the structure
+/// Whether the loads of a run with these warnings get intervals: the run is long enough, and ice loaded the structure
 /// and broke.
 bool bear_interval(std::span<const model::Warning> warnings);
 
 /// Whether a mean of `summary` gets an interval: enough independent samples, of a run that is long enough and in which
-/// ice bore on the structure and broke.
+/// ice loaded the structure and broke.
 bool bears_interval(const RunSummary& summary, const statistics::Summary& load);
 
 }  // namespace brash::simulation
