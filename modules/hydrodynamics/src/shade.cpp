@@ -103,7 +103,7 @@ void open_shares(std::span<const Vectors> probes, const Pose& pose, std::span<co
   for (const Solid solid : neighbours) {
     const Ramp* const end = all.of(solid, ramps.data());
     if (end == nullptr) continue;
-    // Mostly the ramp that is the least in the middle tells which probes are out of reach.
+    // Mostly the ramp that is the least in the middle shows which probes are out of reach.
     const Ramp nearest = ramps.front();
     std::size_t n_near = 0;
     for (std::size_t i = 0; i < probes.size(); ++i) {

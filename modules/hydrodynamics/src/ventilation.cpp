@@ -49,7 +49,7 @@ Extremes extremes(const Prism& prism, double z, const Waterplane& water) {
   return e;
 }
 
-/// As wetted_plan_face(): the edges, each clipped by itself, and a point on the waterline.
+/// As wetted_plan_face(): the edges, each clipped on its own, and a point on the waterline.
 DepthIntegrals integrals_below(const Prism& prism, double z, const Extremes& e, const Waterplane& water) {
   const bool clipped = e.most > 0.0;
   const Vec3 reference = clipped ? waterline_point(e.lowest, e.least, e.highest, e.most) : e.lowest;

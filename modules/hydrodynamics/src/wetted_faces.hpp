@@ -81,7 +81,7 @@ inline WettedFace wetted_plan_face(const Prism& prism, const Waterplane& water, 
   return face;
 }
 
-/// The wetted part of the side face that stands on the ring's edge from `from` to `to`.
+/// The wetted part of the side face along the ring's edge from `from` to `to`.
 inline WettedFace wetted_side_face(Vec2 from, Vec2 to, double half_thickness, const Waterplane& water) {
   const Vec2 edge = to - from;
   const double length = std::sqrt(dot(edge, edge));

@@ -15,7 +15,7 @@ struct AddedMass {
 
 /// Added mass of a thin plate deep in water at rest, without walls (docs/theory/water.md, (H16), (H17), (H18)).
 ///
-/// A rectangle with the plan's area and the ratio of its principal second moments stands for the plan. It errs by 2 %
+/// A rectangle with the plan's area and the ratio of its principal second moments represents the plan. It errs by 2 %
 /// for trapezoids, by 5 % for a disc and by 9 % for an equilateral triangle.
 ///
 /// @param density  of the water [kg/m3], > 0.

@@ -17,8 +17,8 @@ class StructureFlow {
   explicit StructureFlow(Vec3 semi_axes);
 
   /// Velocity of the water [m/s] at `point`, in axes along the ellipsoid's from its centre on the waterplane [m], when
-  /// it moves at `velocity` along the surface. Inside the ellipsoid, where water is between it and the hull, it is that
-  /// of the surface on the same ray from the centre: it runs along the hull there, and continuously.
+  /// it moves at `velocity` along the surface. Inside the ellipsoid, where water is between it and the hull, it is the
+  /// velocity at the surface on the same ray from the centre: it runs along the hull there, and continuously.
   Vec3 at(Vec3 point, Vec2 velocity) const;
 
   /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (docs/theory/water.md, (H22)).

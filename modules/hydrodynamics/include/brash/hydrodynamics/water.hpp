@@ -34,7 +34,7 @@ inline constexpr double kShadingReach = 1.5;
 struct Displacement {
   double volume = 0.0;    ///< [m3]
   Vec3 centre{};          ///< centre of buoyancy [m]; the origin when nothing is submerged
-  Vec3 centre_in_body{};  ///< likewise, body frame
+  Vec3 centre_in_body{};  ///< the same point, body frame
 };
 
 /// Volume below the waterplane and its centroid, exact to rounding (docs/theory/water.md, (H1), (H2), (H3),
@@ -105,7 +105,7 @@ struct WaterLoad {
 WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
                      const Displacement& wet, const Drag& drag, const Wrench& besides = {});
 
-/// Likewise with the drag of the start of the step.
+/// The same with the drag of the start of the step.
 inline WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
                             const StepInertia& step = {}, std::span<const Solid> neighbours = {}) {
   const Displacement wet = displacement(prism, pose);
