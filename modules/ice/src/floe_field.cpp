@@ -50,7 +50,7 @@ std::vector<Ring> eroded_cells(const Domain& domain, const std::vector<double>& 
   }
   const std::vector<Ring> seeds = place_at_random(domain, seed_areas, kSeedSides, {}, random);
   if (seeds.empty()) return {};
-  // A disc inside each octagon: no two of them meet, so each site has a cell.
+  // A disc inside each octagon: no two discs meet, so each site has a cell.
   std::vector<Site> sites;
   for (std::size_t i = 0; i < seeds.size(); ++i)
     sites.push_back({geometry::centroid({seeds[i], {}}), seed_areas[i] / (kSeedSides * std::tan(kPi / kSeedSides))});

@@ -44,7 +44,7 @@ IceSheet sheet_of(std::span<const Polygon> polygons) {
 /// close it.
 std::vector<IceSheet> sheets_of(std::span<const Polygon> polygons) {
   std::vector<IceSheet> each;
-  std::size_t n_parts = 0;  // more than polygons, where one of them touches itself in a vertex
+  std::size_t n_parts = 0;  // more than polygons, where a polygon touches itself in a vertex
   for (const Polygon& polygon : polygons) {
     each.push_back(sheet_of(std::span(&polygon, 1)));
     n_parts += each.back().n_parts();
@@ -88,7 +88,7 @@ std::string files_of(const model::FieldSection& field) {
   return names.empty() ? "field" : names;
 }
 
-/// Whether land lies along a part: a corner of one of them lies on an edge of the other.
+/// Whether land lies along a part: a corner of one lies on an edge of the other.
 bool touches(const Polygon& part, const Polygon& land) {
   const auto has_corner_on = [](const Polygon& one, const Polygon& other) {
     const Vec2 near{kTouch, kTouch};

@@ -51,7 +51,7 @@ class PlacedRings {
 /// @param areas     [m2].
 /// @param sides     4 for squares.
 /// @param keep_out  convex rings that none may meet.
-/// @return the rings in the order of `areas`; none when one of them found no place.
+/// @return the rings in the order of `areas`; none when a ring found no place.
 std::vector<geometry::Ring> place_at_random(const Domain& domain, std::span<const double> areas, int sides,
                                             std::span<const geometry::Ring> keep_out, statistics::RandomStream& random);
 

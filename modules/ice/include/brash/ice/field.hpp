@@ -28,7 +28,7 @@ class Field {
   /// @param variation  of its thickness and strength. A piece that breaks off has the means over itself, and is even.
   /// @throws InputError naming file and place, where a file of the ice is at fault.
   Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation = {});
-  /// The field of a run that goes on.
+  /// The field of a run that continues from a checkpoint.
   Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
         const model::Checkpoint& checkpoint);
   void save(model::Checkpoint& checkpoint) const;
@@ -81,9 +81,9 @@ class Field {
   /// @return the pieces but the largest, which stays; none where the crack does not divide the ice.
   Broken split_sheet(Plate& plate, Vec2 from, Vec2 towards, double smallest_floe);
 
-  /// A large piece of drifting level ice goes on as level ice. @return its number, the next one.
+  /// A large piece of drifting level ice continues as level ice. @return its number, the next one.
   int add_level_ice(Plate&& piece);
-  /// Drifting level ice that has become small goes on as floes. It is empty then.
+  /// Drifting level ice that has become small continues as floes. It is empty then.
   std::vector<Plate> release(Plate& plate, double smallest_floe);
 
   /// Books a piece that has no body as brash.

@@ -15,10 +15,10 @@ namespace brash::ice {
 struct GivenFloe {
   geometry::Polygon outline;
   std::optional<double> thickness;          ///< [m]; absent: of the case
-  std::optional<double> flexural_strength;  ///< [Pa]; likewise
+  std::optional<double> flexural_strength;  ///< [Pa]; absent: of the case
 };
 
-/// Reads floes from WKT or GeoJSON, told apart by the first character. The properties `thickness` and
+/// Reads floes from WKT or GeoJSON; the first character says which. The properties `thickness` and
 /// `flexural_strength` of a GeoJSON feature are the ones of its floes.
 ///
 /// @param field  whose rectangle holds every floe, and whose origin is taken from the file's coordinates, exactly.
@@ -33,7 +33,7 @@ struct GivenIce {
   std::optional<double> flexural_strength;  ///< [Pa]
 };
 
-/// Reads these properties alone, which is quick. A text that is no GeoJSON has none.
+/// Reads these properties alone, which is quick. A text that is not GeoJSON has none.
 /// @throws InputError when the file cannot be read, or a property is out of range.
 std::vector<GivenIce> read_given_ice(const std::string& path);
 
@@ -45,12 +45,12 @@ struct GivenLevelIce {
 
 /// Reads level ice from such a file. Features of GeoJSON with the property `kind` = "floe" are floes, as
 /// geometry::to_geojson() writes them; all others are sheets.
-/// @throws InputError likewise; and where a sheet has a thickness or a strength, or there is no sheet.
+/// @throws InputError as read_floes() does, and where a sheet has a thickness or a strength, or there is no sheet.
 GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field);
 
 /// Reads polygons that may overlap and lie anywhere, each simple.
 /// @param origin  of the case in the file's coordinates [m].
-/// @throws InputError likewise.
+/// @throws InputError naming file and place, as read_floes() does.
 std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origin);
 
 /// Content of a file that these functions pass over, such as "heights (12)"; empty: none, or it cannot be read.
@@ -61,7 +61,7 @@ std::string left_out_of(const std::string& path, Vec2 origin, bool of_lines);
 /// Reads the straight pieces of lines from WKT or GeoJSON. @throws InputError naming file and place.
 std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin);
 
-/// Reads outlines from such a file. @throws InputError likewise; they may lie anywhere.
+/// Reads outlines from such a file; they may lie anywhere. @throws InputError naming file and place.
 std::vector<geometry::Polygon> read_outlines(const std::string& path, Vec2 origin);
 
 }  // namespace brash::ice

@@ -15,7 +15,7 @@ struct IdleFile {
   std::string key;         ///< `openings`, `cracks` or `shore`
   double taken = 0.0;      ///< area that it takes away [m2]
   geometry::Extent reach;  ///< around what it holds, sheet frame [m]
-  geometry::Extent ice;    ///< around the ice that it should change, likewise
+  geometry::Extent ice;    ///< around the ice that it should change, sheet frame [m]
 };
 
 /// Lays the level ice of `field`, and says which of its files do nothing there: openings that take away less than the

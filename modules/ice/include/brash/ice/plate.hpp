@@ -22,7 +22,7 @@ enum class Hold {
 struct PlatePart {
   std::int64_t level_ice = 0;      ///< Plate::level_ice()
   double thickness = 0.0;          ///< of Plate::ice()
-  double flexural_strength = 0.0;  ///< likewise
+  double flexural_strength = 0.0;  ///< of Plate::ice()
   geometry::Polygon outline;
 
   template <typename Self, typename Visit>
@@ -47,7 +47,7 @@ class Plate {
 
   /// A piece of this plate, afloat.
   Plate piece(geometry::Polygon outline, const failure::IceProperties& ice) const;
-  /// Likewise, of the same ice.
+  /// A piece of this plate, afloat, of the same ice.
   Plate piece(geometry::Polygon outline) const { return piece(std::move(outline), ice_); }
 
   int level_ice() const { return level_ice_; }

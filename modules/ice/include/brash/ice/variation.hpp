@@ -72,7 +72,7 @@ class Variation {
   std::optional<LogNormal> thickness_;
   std::optional<LogNormal> flexural_strength_;
 
-  /// The first edge: x at y is that of `field`, times `deviation`.
+  /// The first edge: x at y is the value of `field`, times `deviation`.
   struct RoughEdge {
     GaussianField field;
     double deviation = 0.0;  ///< [m]

@@ -55,7 +55,7 @@ struct RalstonLoad {
 ///
 /// E1, E2 are the complete elliptic integrals of the first and second kind with parameter m = sin^2 a; rho is rho_i for
 /// upward breaking and the submerged weight's rho_w - rho_i for downward breaking. The coefficients A1 to A4 in
-/// circulation mix two yield criteria; here Y is one of them in x and in H_B.
+/// circulation mix two yield criteria; here Y is the same criterion in x and in H_B.
 ///
 /// Applies to cones in thick ice at low speed with the ice layer on the whole slope; it gives an upper bound of the
 /// peak. Outside: friction that locks the ice on the slope (mu g_r >= 1).

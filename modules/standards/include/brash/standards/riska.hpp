@@ -31,7 +31,7 @@ struct RiskaLoad {
 ///   f1 = 0.23 kN/m3, f2 = 4.58 kN/m3, f3 = 1.47 kN/m3, f4 = 0.29 kN/m3
 ///   g1 = 18.9 kN/(m/s m^1.5), g2 = 0.67 kN/(m/s m^2), g3 = 1.55 kN/(m/s m^2.5)
 ///
-/// Strength and friction are those of Baltic ice and ships; they are no inputs.
+/// Strength and friction are the values of Baltic ice and ships; they are not inputs.
 ///
 /// @see K. Riska, M. Wilhelmson, K. Englund, T. Leiviska, Performance of merchant vessels in ice in the Baltic,
 /// Helsinki University of Technology, 1997, as quoted by J. Hu, L. Zhou, Int. J. Nav. Archit. Ocean Eng. 8 (2016) 169.
