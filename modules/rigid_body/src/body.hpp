@@ -51,14 +51,14 @@ struct Body {
   Twist start_twist;               ///< at the start of the last step
   Twist mean_twist;                ///< over the last step
   Twist loaded_twist;              ///< after the loads of the last step, before its contacts
-  MassProperties mass;             ///< none: the sheet, and a structure that moves as it is told
+  MassProperties mass;             ///< none: the sheet, and a structure whose motion is given
   Wrench load;                     ///< for the next step
   Vec3 stream;                     ///< velocity of the water around it
   double gained_by_turning = 0.0;  ///< World::gained_by_turning() [J]
   std::optional<Pose> unparted;    ///< World::unparted_pose()
   Vec3 gyration;                   ///< angular velocity that the gyroscopic moment gave it in this step [rad/s]
   double gyroscopic_share = 0.0;   ///< World::gyroscopic_share() [J]
-  Pose next_pose;                  ///< of a structure or a sheet that moves as it is told
+  Pose next_pose;                  ///< of a structure or a sheet whose motion is given
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
   bool struck = false;            ///< a settled floe that a blow has released in this step

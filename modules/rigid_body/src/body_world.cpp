@@ -130,8 +130,8 @@ void BodyWorld::list_as_moving(const Body& body, bool moves) {
 
 /// Floes that move are of the group kMobile and meet both groups. All else is of the group kFixed and meets kMobile
 /// alone: structures, sheets and settled floes do not meet each other (for sheets that drift see PartsOfSheetsMeet).
-/// The broad phase seeks out a body that wakes anew. One that settles stays where it is, and loses its pairs with other
-/// fixed bodies in the next step: at once, each would cost a walk through the pairs of all.
+/// The broad phase seeks out a body that wakes again. One that settles stays where it is, and loses its pairs with
+/// other fixed bodies in the next step: at once, each would cost a walk through the pairs of all.
 void BodyWorld::set_settled(Body& body, bool settled) {
   if (body.settled == settled) return;
   btRigidBody& b = *body.bullet;

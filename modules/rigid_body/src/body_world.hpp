@@ -130,7 +130,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   std::vector<Body*> by_index_;                    ///< of every body there has been; null where it is gone
   std::vector<BodyId> moving_;                     ///< floes that are not settled, sorted
   std::vector<Body*> order_;                       ///< the order of the last step; empty when bodies came or went since
-  std::vector<Body*> awake_;                       ///< those of `order_` that are not settled
+  std::vector<Body*> awake_;                       ///< bodies in `order_` that are not settled
   double reach_ = 0.0;                             ///< of the last search for neighbours [m]
   bool has_settled_ = false;                       ///< whether a body has since the last step
   std::vector<std::vector<BodyPair>> some_pairs_;  ///< scratch: of each chunk of the pairs that Bullet knows

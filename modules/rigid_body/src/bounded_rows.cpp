@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the bounded solver: made before the sweeps, and friction when a point first bears something.
+// The rows of the bounded solver: made before the sweeps, and friction when a point first carries something.
 #include <algorithm>
 #include <cmath>
 

@@ -10,7 +10,7 @@
 namespace brash::rigid_body {
 namespace {
 
-/// Of the sweeps of a step, as long as they change less and less: it lasts for a tenth of them
+/// Of the sweeps of a step, as long as they change less and less: it lasts for a tenth of the sweeps
 /// (docs/theory/contacts-and-bodies.md, (C3)).
 double most_momentum(int iterations) { return std::max(0.0, 1.0 - 10.0 / iterations); }
 

@@ -33,7 +33,7 @@ struct SolverBody {
 /// Where two bodies touch along one normal.
 struct SolverContact {
   std::uint32_t first = 0;        ///< number that BoundedSolver::add gave it
-  std::uint32_t second = 0;       ///< likewise
+  std::uint32_t second = 0;       ///< number that BoundedSolver::add gave it
   Vec3 normal{};                  ///< unit, from the second body into the first
   double friction = 0.0;          ///< [-]
   double crushing_impulse = 0.0;  ///< dt sigma_c R [N s/m2]: bound of a point per area, Eq. 16; infinite: none
@@ -45,9 +45,9 @@ struct SolverContact {
 /// with v the twists that all impulses leave.
 struct SolverJoint {
   std::uint32_t first = 0;   ///< number that BoundedSolver::add gave it
-  std::uint32_t second = 0;  ///< likewise
+  std::uint32_t second = 0;  ///< number that BoundedSolver::add gave it
   Twist of_first{};          ///< [-] and [m], or 0 and [-] for a row of angular velocities
-  Twist of_second{};         ///< likewise
+  Twist of_second{};         ///< the same for the second body
   double velocity = 0.0;     ///< [m/s]
   double softness = 0.0;     ///< [1/kg], >= 0
   double least = 0.0;        ///< [N s]
@@ -157,7 +157,7 @@ class BoundedSolver {
     std::uint32_t number = 0;        ///< as it was added
     std::uint32_t tangents = kNone;  ///< number in Strip::tangents
   };
-  /// Two directions of a contact that bears, at right angles to the normal and to each other.
+  /// Two directions of a contact that carries load, at right angles to the normal and to each other.
   struct Tangents {
     std::array<Vec3, 2> directions_a{};  ///< as Contact::direction_a
     std::array<Vec3, 2> directions_b{};
@@ -185,8 +185,8 @@ class BoundedSolver {
     double bound = std::numeric_limits<double>::infinity();  ///< of the impulse [N s]
     std::uint32_t friction = kNone;                          ///< its number in Strip::frictions
   };
-  /// The friction of a point that bears, or did in this step: two rows whose masses are the diagonal of the matrix [kg]
-  /// that tells the impulse from the slip.
+  /// The friction of a point that carries load, or did in this step: two rows whose masses are the diagonal of the
+  /// matrix [kg] that gives the impulse from the slip.
   struct Friction {
     std::array<Row, 2> rows;
     double coupling = 0.0;    ///< off the diagonal [kg]
@@ -204,7 +204,7 @@ class BoundedSolver {
     Spatial velocity{};         ///< y of the velocity S y (M2), and spins, change so far
     double inverse_mass = 0.0;  ///< [1/kg]
 
-    /// Likewise; `before` is the velocity at the end of the last sweep but one, then of the last.
+    /// As Impulse::go_on(); `before` is the velocity at the end of the last sweep but one, then of the last.
     void go_on(double momentum, Spatial& before);
     Twist twist(const SolverBody& body) const;
   };
@@ -237,8 +237,8 @@ class BoundedSolver {
     void add(double velocity, double impulse);
     void add(const Sweep& part);
   };
-  /// Contacts that one thread solves one after the other. Most points bear nothing; an iteration reads only their
-  /// normal rows. A point gets its friction when it first bears something, and frictions lie side by side.
+  /// Contacts that one thread solves one after the other. Most points carry nothing; an iteration reads only their
+  /// normal rows. A point gets its friction when it first carries something, and frictions lie side by side.
   struct alignas(64) Strip {
     std::size_t first_contact = 0;
     std::size_t first_point = 0;
@@ -332,9 +332,9 @@ class BoundedSolver {
   std::vector<Given> given_;
   std::deque<std::vector<PatchPoint>> copies_;  ///< of the points of contacts that were added one by one
   std::vector<std::size_t> first_points_;       ///< of each contact
-  /// The bodies, and behind them one for each strip that stands for all that its contacts do not move.
+  /// The bodies, and behind them one for each strip that represents all that its contacts do not move.
   std::vector<Moved> moved_;
-  std::vector<Moved> parted_;               ///< likewise, as far as their positions part
+  std::vector<Moved> parted_;               ///< the same, as far as their positions part
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
   std::vector<Group> groups_;               ///< where a heavy body touches a light one
   std::vector<std::uint32_t> group_of_;     ///< number of each body's group, or kNone; unset where there are no groups

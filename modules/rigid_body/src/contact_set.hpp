@@ -54,9 +54,10 @@ class ContactSet {
   void add_to(BoundedSolver& solver, double dt, Workers& workers, Which which = Which::kAll);
   /// Whether a struck floe touches a settled one.
   bool struck_touch_settled() const;
-  /// The settled floes that a struck one runs into likewise, at its velocity after that solver.
+  /// The settled floes that a struck one runs into faster than WorldSettings::release_speed, at its velocity
+  /// after that solver.
   std::vector<Body*> settled_and_hit(const BoundedSolver& solver) const;
-  /// Fills `loads` with the load of each point that bears any after that solver, sorted by (body, other, point).
+  /// Fills `loads` with the load of each point that carries any after that solver, sorted by (body, other, point).
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers);
 
  private:
@@ -119,7 +120,7 @@ class ContactSet {
     std::size_t n_solved;  ///< points in the solver
     Listed listed;
   };
-  /// A point of two bodies, likewise.
+  /// A point of two bodies, on its way into the order of the report.
   struct ListedPoint {
     std::size_t number;
     PointImpulse impulse;
@@ -134,7 +135,7 @@ class ContactSet {
   ContactLaw ice_ice_;
   std::optional<Bed> bed_;
   double release_speed_;                      ///< [m/s]
-  Body ground_;                               ///< bears a given contact without another body
+  Body ground_;                               ///< takes a given contact without another body
   Body bed_body_;                             ///< the bed as the other body of its contacts
   std::vector<Search> searches_;              ///< of each worker
   std::vector<Found> found_;                  ///< of each chunk of floes

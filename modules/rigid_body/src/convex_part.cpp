@@ -52,7 +52,7 @@ class Boundary {
   bool contains(std::size_t i) const { return contains_[i]; }
 
  private:
-  /// Adds the points from one of them to another, counter-clockwise (quickhull): the points on their chord, or else the
+  /// Adds the points from one point to another, counter-clockwise (quickhull): the points on their chord, or else the
   /// boundary to and from the point farthest beyond it.
   void add(std::size_t from, std::size_t to) {
     const Vec2 along = normalized(at_[to] - at_[from]);
@@ -188,7 +188,7 @@ class Discs {
   std::map<std::pair<int, int>, int> across_;  ///< the triangle on the left of each directed edge
 };
 
-/// The points on `plane` in ascending order, and the plane through the first three of them that are not in line: a face
+/// The points on `plane` in ascending order, and the plane through the first three points that are not in line: a face
 /// comes out the same from whichever side it was found.
 std::optional<std::pair<std::vector<int>, Plane>> settle(const Plane& plane, std::span<const Vec3> points,
                                                          double tolerance) {

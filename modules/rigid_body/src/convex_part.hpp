@@ -40,7 +40,7 @@ std::array<Vec3, 2> plane_axes(Vec3 normal);
 
 /// Vertices of the solid with every face moved inwards by `inset` [m]; nothing when it is too thin for that.
 std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset);
-/// Whether that leaves a solid. Told at once where the middle of the vertices lies deep enough.
+/// Whether that leaves a solid. Known at once where the middle of the vertices lies deep enough.
 bool outlasts_inset(const ConvexPart& part, double inset);
 
 /// `part` moved by `pose`, faces not copied.

@@ -18,14 +18,14 @@ struct Extent {
   double greatest = -std::numeric_limits<double>::infinity();
 };
 
-/// Points with their coordinates apart, so that the heights of two of them over a plane are found side by side.
+/// Points with their coordinates apart, so that the heights of two points over a plane are found side by side.
 class Corners {
  public:
   void assign(std::span<const Vec3> points);
 
   /// Room that the heights of all points take.
   std::size_t n_heights() const { return 2 * twos_.size(); }
-  /// Fills `heights` (n_heights() of them, the last perhaps twice) with the heights of the points over `plane` [m].
+  /// Fills `heights` (n_heights() numbers, the last perhaps twice) with the heights of the points over `plane` [m].
   Extent heights_over(const Plane& plane, double* heights) const;
   /// The least of these heights [m].
   double least_over(const Plane& plane) const;

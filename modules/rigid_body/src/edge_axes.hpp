@@ -12,7 +12,7 @@ namespace brash::rigid_body {
 /// so that no call allocates.
 ///
 /// Such an axis is normal to both edges, and each edge is the last of its part along it. Then the axis lies between the
-/// normals of the two faces beside the edge. Arcs on the sphere of directions tell this without a look at any other
+/// normals of the two faces beside the edge. Arcs on the sphere of directions show this without a look at any other
 /// corner (Gregorius, The separating axis test between convex polyhedra, Game Developers Conference, 2013). With the
 /// axes of the faces these are all directions in which the Minkowski difference of two convex solids has a face. So the
 /// axis of least depth among them has the least depth of all. Along that axis the edges meet in a point of both: their

@@ -105,7 +105,7 @@ void ExactWorld::find_contacts() {
 
 void ExactWorld::calculateSimulationIslands() { getSimulationIslandManager()->initUnionFind(0); }
 
-/// Settled floes do not hold up a struck floe at first. A blow goes on to the settled floes that it then runs into.
+/// Settled floes do not hold up a struck floe at first. A blow continues to the settled floes that it then runs into.
 void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info) {
   while (contacts_.struck_touch_settled()) {
     solve_rows(constraints, info, ContactSet::Which::kWithoutSettled);
@@ -164,7 +164,7 @@ void ExactWorld::integrateTransforms(btScalar dt) {
   });
 }
 
-/// The velocity is new. Its parts are moved as told.
+/// The velocity is new. Its parts are moved as move_sheet_part() says.
 void ExactWorld::finish_in_plane(Body& body) {
   if (body.is_free()) body.twist = bounded_.twist(body.in_solver);
   finish(body, body.pose);

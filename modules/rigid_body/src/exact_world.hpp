@@ -39,7 +39,7 @@ class ExactWorld final : public BodyWorld {
   JointRows joints_;
   std::vector<Body*> in_solver_;  ///< the bodies that the solver knows, in the order of their numbers there
   std::vector<ContactSet::Meeting> meetings_;  ///< scratch of find_contacts
-  std::vector<BodyPair> pairs_of_sheets_;      ///< likewise
+  std::vector<BodyPair> pairs_of_sheets_;      ///< scratch of find_contacts
   BoundedSolver bounded_;
 };
 

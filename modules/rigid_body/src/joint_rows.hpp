@@ -17,7 +17,7 @@ class JointRows {
  public:
   /// Adds all rows to a solver that knows the bodies by their Body::in_solver.
   void add_to(BoundedSolver& solver, std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info);
-  /// Tells each constraint the impulses that the solver left in its rows.
+  /// Gives each constraint the impulses that the solver left in its rows.
   void write_back(const BoundedSolver& solver, double dt);
 
  private:

@@ -15,7 +15,7 @@ constexpr double kShorter = 1e-6;
 /// parts of one solid (1e-9), far below any part.
 constexpr double kBeyond = 1e-6;
 
-/// A face whose normal has more than this along z is no side of a sheet [-].
+/// A face whose normal has more than this along z is not a side of a sheet [-].
 constexpr double kOutOfPlane = 1e-6;
 
 bool any_contains(std::span<const Part* const> parts, Vec3 point) {

@@ -16,8 +16,8 @@ struct PartPair {
   const Part* second = nullptr;
 };
 
-/// Parts that continue the solids of a pair's two parts. An axis that leads into one of them does not separate: the
-/// face between two parts of one solid is no surface.
+/// Parts that continue the solids of a pair's two parts. An axis that leads into one of these parts does not
+/// separate: the face between two parts of one solid is not a surface.
 struct Beside {
   std::span<const Part* const> first;   ///< other parts of the first part's body
   std::span<const Part* const> second;  ///< the same for the second; for a part of a sheet, its other parts near by

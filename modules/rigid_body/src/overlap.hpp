@@ -69,9 +69,9 @@ class OverlapFinder {
   ///
   /// The points are the corners of the projection at mid-depth. Corner i has the area of the two triangles beside it in
   /// the fan from the centroid, halved: the shares add up to the area and have its centroid, so that a contact that
-  /// bears its bound everywhere is loaded as by a uniform pressure. Neighbours are merged (shares added, place weighted
-  /// by them, which keeps both) while more than four are left or two are near each other: a narrow strip has two
-  /// points.
+  /// carries its bound everywhere is loaded as by a uniform pressure. Neighbours are merged (shares added, place
+  /// weighted by them, which keeps both) while more than four are left or two are near each other: a narrow strip has
+  /// two points.
   const Patch& project(Vec3 normal);
 
  private:

@@ -9,7 +9,7 @@
 namespace brash::rigid_body {
 namespace {
 
-/// Of the sheet of a part; before all of them where it has none.
+/// Of the sheet of a part; before all sheets where it has none.
 int rank_of_sheet(const Body& part) { return part.sheet != nullptr ? part.sheet->rank : -1; }
 
 /// The sheet that gives way comes first, and of two the one that is first in the step.
@@ -54,7 +54,7 @@ void SheetContacts::find(std::span<const BodyPair> pairs) {
             {beside(*first, *second, beside_first_), beside(*second, *first, beside_second_)}))
       contacts_.push_back({first, second, narrow_phase_.normal, narrow_phase_.patch});
   }
-  // Ranks of parts in one place follow their ids, which a resumed run gives anew.
+  // Ranks of parts in one place follow their ids, which a resumed run assigns again.
   const auto key = [](const Contact& c) {
     const Vec3 p = c.patch.points[0].position;
     return std::tuple(rank_of_sheet(*c.first), rank_of_sheet(*c.second), p.x, p.y, p.z, c.normal.x, c.normal.y,

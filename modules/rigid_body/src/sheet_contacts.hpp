@@ -11,8 +11,8 @@
 namespace brash::rigid_body {
 
 /// The contacts of one step between sheets that drift, and of such a sheet with fixed ice or a wall. A sheet is there
-/// in parts that lie side by side, so a face counts only where no other part of the sheet goes on behind it. The bodies
-/// of the solver are the sheets; docs/theory/fracture-of-floes.md, (G10).
+/// in parts that lie side by side, so a face counts only where no other part of the sheet continues behind it. The
+/// bodies of the solver are the sheets; docs/theory/fracture-of-floes.md, (G10).
 class SheetContacts {
  public:
   /// @param law  of ice on ice.
@@ -20,9 +20,9 @@ class SheetContacts {
 
   /// Forgets the contacts of the step before, and finds the contacts of pairs of parts whose boxes overlap.
   void find(std::span<const BodyPair> pairs);
-  /// Adds all of them to a solver that knows the sheets by the Body::in_solver of their parts.
+  /// Adds all contacts to a solver that knows the sheets by the Body::in_solver of their parts.
   void add_to(BoundedSolver& solver, double dt);
-  /// Fills `loads` with the load of each point that bears any after that solver.
+  /// Fills `loads` with the load of each point that carries any after that solver.
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads) const;
 
  private:

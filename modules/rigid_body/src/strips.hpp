@@ -18,9 +18,9 @@ struct Ends {
 ///
 /// A strip is of bodies that follow each other in the order of the step. Its contacts are those whose lower body it
 /// has. It is long enough that the upper body of each contact lies in it or in the next strip. So the contacts of
-/// strips 0, 2, 4 and so on have no body in common, nor have those of strips 1, 3, 5. What does not move has no strip.
-/// Contacts of bodies far apart in the order would make strips too long: they are left for the end, one after the
-/// other.
+/// strips 0, 2, 4 and so on have no body in common, nor have the contacts of strips 1, 3, 5. What does not move has no
+/// strip. Contacts of bodies far apart in the order would make strips too long: they are left for the end, one after
+/// the other.
 ///
 /// Strips follow from the order of the bodies and their contacts alone (docs/theory/contacts-and-bodies.md, (C7)).
 class Strips {

@@ -131,7 +131,7 @@ struct SheetInPlane {
   Vec2 velocity{};       ///< of the centre [m/s]
   double spin = 0.0;     ///< [rad/s]
   Vec2 force{};          ///< of all but contacts [N]
-  double moment = 0.0;   ///< likewise, about the centre [N m]
+  double moment = 0.0;   ///< of all but contacts, about the centre [N m]
 };
 
 /// Force on `body` [N].
@@ -156,7 +156,7 @@ struct GivenContact {
   BodyId other = kNoBody;  ///< on which the opposite acts
   Vec3 point{};            ///< [m], world
   Vec3 normal{};           ///< unit, from `other` into `body`
-  double area = 0.0;       ///< on which it bears [m2], > 0; for the report
+  double area = 0.0;       ///< on which it presses [m2], > 0; for the report
   /// Bound of the normal force, sigma_c R A where ice is crushed [N]. Finite between bodies that nothing moves.
   double most_normal_force = std::numeric_limits<double>::infinity();
   double friction = 0.0;  ///< Coulomb coefficient [-]
@@ -229,7 +229,7 @@ class World {
   /// Engine::kBrash only.
   BodyId add_drifting_sheet();
   /// Sets the state that the next step begins with. The step changes its velocity, twist() then; its parts go where
-  /// they are told.
+  /// move_sheet_part() puts them.
   void set_sheet(BodyId sheet, const SheetInPlane& state);
   /// A structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
   /// where they are coplanar to 1e-9 of the hull's size.
@@ -242,12 +242,12 @@ class World {
   /// Its links go with it. The parts of a drifting sheet go before it.
   void remove(BodyId id);
 
-  /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. At least one of them is
-  /// one that the step moves, and neither is a sheet that drifts or a part of one. The two do not collide with each
+  /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. The step moves at
+  /// least one of the bodies, and neither is a sheet that drifts or a part of one. The two do not collide with each
   /// other any more.
   /// @return ids are given in ascending order and never again.
   LinkId link(const Anchor& one, const Anchor& other, const LinkLaw& law = {});
-  /// Moors a point of a body to a place in the world [m]. The body is no sheet that drifts.
+  /// Moors a point of a body to a place in the world [m]. The body is not a sheet that drifts.
   LinkId moor(const Anchor& anchor, Vec3 place, const LinkLaw& law = {});
   void unlink(LinkId id);
   /// The loads of the links in the last step, sorted by id.
@@ -264,7 +264,7 @@ class World {
   /// Sets where a structure without mass is at the end of the next step and its velocity during it (of its frame's
   /// origin, and angular). Without a call it stands still.
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
-  /// Likewise of a part of a sheet that drifts, the pose of the sheet's frame. Engine::kBrash only.
+  /// The same for a part of a sheet that drifts; `pose` is of the sheet's frame. Engine::kBrash only.
   void move_sheet_part(BodyId id, const Pose& pose, const Twist& twist);
   /// Adds a force and a moment about the centre of mass for the next step only.
   void apply(BodyId id, const Wrench& wrench);
@@ -272,20 +272,21 @@ class World {
   /// momentum against it.
   void set_stream(BodyId id, Vec3 velocity);
   /// Adds a contact for the next step only; reported with the others, by `body` and `other` as given. Between bodies
-  /// that nothing moves it bears its bound while they close up. Engine::kBrash only.
+  /// that nothing moves it carries its bound while they close up. Engine::kBrash only.
   void add_contact(const GivenContact& contact);
 
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 
   /// The loads of the contact points in the last step, sorted by (body, other, point). With Engine::kBrash parts of the
-  /// sheet are one and come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
+  /// sheet are one and come last. Points that touch and carry nothing are left out: most are of floes that drift
+  /// apart.
   const std::vector<ContactLoad>& contacts() const;
-  /// Likewise between parts of sheets that drift, and of one with a fixed part: `body` and `other` are the parts, and
+  /// The same between parts of sheets that drift, and of one with a fixed part: `body` and `other` are the parts, and
   /// `body` is of a sheet that drifts. In the order of the step.
   const std::vector<ContactLoad>& contacts_of_sheets() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
-  /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
+  /// how far the contacts are from solved is more than that. Bullet does not report it: 0.
   double last_change() const;
 
   using VisitNeighbours = std::function<void(BodyId, std::span<const Solid>)>;
@@ -308,7 +309,7 @@ class World {
   /// The velocity at the start of the last step; at rest before the first.
   Twist start_twist(BodyId id) const;
   void set_state(BodyId id, const Pose& pose, const Twist& twist);
-  /// Changes the mass of a body that the step moves, between two steps. Its velocity becomes that of `twist`.
+  /// Changes the mass of a body that the step moves, between two steps. Its velocity becomes `twist`.
   void set_mass(BodyId id, const MassProperties& mass, const Twist& twist);
   /// A floe's velocity after the loads of the last step alone, before contacts; at rest before the first.
   Twist loaded_twist(BodyId id) const;
