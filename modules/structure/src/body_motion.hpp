@@ -90,7 +90,7 @@ class BodyMotion final : public Motion {
   Vec3 feet_;         ///< velocity of the mooring's feet [m/s]
   double time_step_;  ///< [s]
   Vec3 mass_;         ///< with the added mass, body axes [kg]
-  Vec3 moments_;      ///< likewise [kg m2]
+  Vec3 moments_;      ///< with the added inertia, body axes [kg m2]
   double hydrostatic_at_start_ = 0.0, mooring_at_start_ = 0.0;
 
   Vec3 velocity_{};  ///< of the centre of gravity against the water in the coming step, body axes [m/s]

@@ -5,7 +5,7 @@
 
 namespace brash::structure {
 
-/// A round cone: the paper's structure (Table 1, Fig. 9). Its faceted frustum stands for it in contacts, and where it
+/// A round cone: the paper's structure (Table 1, Fig. 9). Its faceted frustum represents it in contacts, and where it
 /// heels; upright it has the slope and the displacement of the round cone.
 class Cone final : public Frustum {
  public:

@@ -29,7 +29,7 @@ constexpr std::size_t kMostParts = 32;
 /// Corners of one part.
 constexpr std::size_t kMostCorners = 256;
 /// Beyond so many points the farthest in some directions make a hull. CGAL's search (5.5) takes 20 s for 60 000 points,
-/// many of them in one plane. A hull of 4096 directions lacks a thousandth of a smooth body's volume.
+/// many in one plane. A hull of 4096 directions lacks a thousandth of a smooth body's volume.
 constexpr std::size_t kManyPoints = 20'000;
 constexpr int kDirections = 4096;
 /// How far a corner that is left out may lie outside the part, over the part's extent.
@@ -221,7 +221,7 @@ bool is_sliver(const std::array<Vec3, 3>& triangle, double extent) {
   return 2.0 * norm(vector_area(triangle)) <= kSliver * extent * longest;
 }
 
-/// Some of the corners of a convex body, so that none of the others lies far outside of them.
+/// Some of the corners of a convex body, so that none of the others lies far outside the hull of these.
 TriangleMesh with_few_corners(const TriangleMesh& body) {
   std::vector<Vec3> kept;
   for (int i = 0; i < 27; ++i) {
@@ -283,7 +283,7 @@ std::vector<Piece> pieces_of(const TriangleMesh& shell) {
   return pieces;
 }
 
-/// The planes of a convex hull's faces. A sliver has no sure normal, and its neighbours stand for it.
+/// The planes of a convex hull's faces. A sliver has no sure normal, and its neighbours represent it.
 std::vector<Plane> planes_of(const TriangleMesh& hull, double extent) {
   std::vector<Plane> planes;
   for (std::size_t t = 0; t < hull.triangles.size(); ++t) {

@@ -12,7 +12,7 @@ struct ConvexBodies {
 };
 
 /// One body for each shell that is nearly convex. The others are cut by planes along their axes, each time the part
-/// that sticks out most, until the parts' volume is right or there are too many of them.
+/// that sticks out most, until the parts' volume is right or there are too many parts.
 ConvexBodies convex_bodies(const TriangleMesh& mesh);
 
 }  // namespace brash::structure

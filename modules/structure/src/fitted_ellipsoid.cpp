@@ -30,7 +30,7 @@ struct PlanMoments {
   }
 };
 
-/// @param area  of the waterplane [m2]. That of its outlines is a little less where they are inscribed in it.
+/// @param area  of the waterplane [m2]. The area of its outlines is a little less where they are inscribed in it.
 HalfEllipsoid half_ellipsoid(const PlanMoments& m, double area, double depth) {
   constexpr double kRound = 1e-9;  // a waterline with no longer axis: the round-off must not choose one
   BRASH_EXPECTS(m.area > 0.0, m.area);

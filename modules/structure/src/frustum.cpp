@@ -115,7 +115,7 @@ Outline Frustum::section(const std::vector<Vec3>& world, double z) const {
 }
 
 /// The union of a convex body's sections is the plan of the slab between the heights. A point in both the lowest and
-/// the highest section is in all of them.
+/// the highest section is in all sections.
 Footprint Frustum::footprint(const Pose& pose, double bottom, double top) const {
   const std::vector<Vec3> world = in_world(vertices_, pose);
   const Outline lower = section(world, bottom), upper = section(world, top);

@@ -12,7 +12,7 @@ namespace brash::structure {
 class Frustum : public Hull {
  public:
   /// @param lower  counter-clockwise as seen from above, at one height; hull's frame [m].
-  /// @param upper  likewise, vertex i above vertex i of `lower` along the slope.
+  /// @param upper  the same, vertex i above vertex i of `lower` along the slope.
   Frustum(std::vector<Vec3> lower, const std::vector<Vec3>& upper);
 
   std::span<const ConvexPart> parts() const override { return {&vertices_, 1}; }

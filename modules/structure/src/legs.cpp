@@ -17,7 +17,7 @@ void append(std::vector<Outline>& all, std::vector<Outline> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// The outlines that cover what any of them covers.
+/// The outlines that cover what any of `outlines` covers.
 std::vector<Outline> joined(std::vector<Outline> outlines) {
   std::vector<Loops> regions;
   for (Outline& outline : outlines) regions.push_back({std::move(outline)});

@@ -46,7 +46,7 @@ constexpr std::size_t kMostPlaces = 5;
 /// How far apart vertices of an open mesh may lie to become one, over the mesh's extent: round-off of the program that
 /// wrote it, then of numbers with 24 bits, then of numbers with six digits. Tried in this order.
 constexpr std::array kNearlyEqual{0.0, 1e-9, 1e-7, 1e-6};
-/// A shell of less volume than this share of its box is no body.
+/// A shell of less volume than this share of its box is not a body.
 constexpr double kFlatShell = 1e-9;
 
 struct Soup {
@@ -346,7 +346,7 @@ SurfaceMesh surface(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Whether each shell lies inside another one. Shells do not cross, so that one vertex tells.
+/// Whether each shell lies inside another one. Shells do not cross, so that one vertex shows it.
 std::vector<bool> are_inside(const std::vector<TriangleMesh>& shells) {
   std::vector<bool> inside(shells.size(), false);
   if (shells.size() < 2) return inside;

@@ -40,7 +40,7 @@ class MeshHull final : public Hull {
 };
 
 std::unique_ptr<const Hull> hull_of(const model::Ship& ship);
-/// @throws InputError when the file is no hull.
+/// @throws InputError when the file is not a hull.
 std::unique_ptr<const Hull> hull_of(const model::Mesh& mesh);
 
 }  // namespace brash::structure

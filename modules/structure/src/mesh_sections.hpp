@@ -8,7 +8,7 @@
 
 namespace brash::structure {
 
-/// A closed mesh with its triangles sorted by height, for questions about the few of them that are near the ice.
+/// A closed mesh with its triangles sorted by height, for questions about the few triangles that are near the ice.
 class MeshSections {
  public:
   explicit MeshSections(TriangleMesh mesh);

@@ -132,7 +132,7 @@ HalfEllipsoid fitted_ellipsoid(const Hull& hull);
 inline constexpr double kSteepestSlope = 1.5620697;
 
 /// The hull of a shape.
-/// @throws InputError when it is a mesh whose file is no hull, as examine() says.
+/// @throws InputError when it is a mesh whose file is not a hull, as examine() says.
 std::unique_ptr<const Hull> make_hull(const model::Shape& shape);
 /// The hull of a structure, with its legs. They may not touch.
 std::unique_ptr<const Hull> make_hull(const model::StructureSection& structure);

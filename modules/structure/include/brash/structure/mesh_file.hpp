@@ -24,13 +24,13 @@ struct MeshReport {
   int n_inner_shells = 0;    ///< shells inside another one, left out
   int n_shells = 0;          ///< that are the hull
   int n_triangles = 0;       ///< of these shells
-  int n_parts = 0;           ///< convex bodies that stand for the hull in contacts with floes
+  int n_parts = 0;           ///< convex bodies that represent the hull in contacts with floes
   double parts_error = 0.0;  ///< their volume beyond the hull's and short of it, over the hull's volume [-]
   Vec3 size{};               ///< in the water as its pose says [m]
   Bearing bearing{};         ///< in the water as its pose says
 };
 
-/// Why a mesh is no hull. Places are in the file's own coordinates.
+/// Why a mesh is not a hull. Places are in the file's own coordinates.
 struct MeshError {
   std::string what;
   std::string allowed;

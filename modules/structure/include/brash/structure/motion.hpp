@@ -62,7 +62,7 @@ class Motion {
   virtual void bear(const Wrench& /*load*/) {}
 
   /// Where the structure goes in the coming step, if it is driven from outside: to `pose`, straight and with an even
-  /// turn, while contacts see it move at `twist`. Without a call it goes on at its last twist.
+  /// turn, while contacts see it move at `twist`. Without a call it continues at its last twist.
   /// @throws InputError when the case has another motion, or a value is not finite or no rotation, or the structure
   /// would move faster than 50 m/s or turn faster than 10 rad/s.
   virtual void drive(const State& goal);
@@ -101,7 +101,8 @@ Pose unresisted(const model::StructureSection& structure, double time);
 /// x of the structure's axis at a pose, and of its last leg if it has legs [m].
 double last_axis(const model::StructureSection& structure, const Pose& pose);
 
-/// Mean speed from the start to `time` [m/s], likewise; along a path from 400 chords.
+/// Mean speed from the start to `time` [m/s], if nothing resists the structure and no one drives it; along a path from
+/// 400 chords.
 double mean_speed(const model::StructureSection& structure, double time);
 
 }  // namespace brash::structure

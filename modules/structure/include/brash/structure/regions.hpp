@@ -24,7 +24,7 @@ class HullRegions {
   model::HullRegion at(Vec3 point, Vec3 outward) const;
 
   double bow_end() const { return bow_end_; }              ///< x of the bow's after end [m]
-  double shoulders_end() const { return shoulders_end_; }  ///< likewise of the shoulders
+  double shoulders_end() const { return shoulders_end_; }  ///< x of the shoulders' after end [m]
   double stern_start() const { return stern_start_; }      ///< x of the stern's fore end [m]
 
  private:
@@ -53,7 +53,7 @@ class Regions {
   explicit Regions(LegRegions regions) : regions_(std::move(regions)) {}
 
   /// @param point    structure's frame [m].
-  /// @param outward  unit normal of the structure there, likewise.
+  /// @param outward  unit normal of the structure there, structure's frame.
   std::size_t at(Vec3 point, Vec3 outward) const;
 
  private:

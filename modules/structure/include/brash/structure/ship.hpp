@@ -5,7 +5,7 @@
 
 namespace brash::structure {
 
-/// Particulars of a ship, every one of them known; SI, radians.
+/// Particulars of a ship, every one known; SI, radians.
 struct Particulars {
   double length, breadth, draught, depth;
   double stem_angle, stern_angle;  ///< from the horizontal
