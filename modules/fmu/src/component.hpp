@@ -27,7 +27,7 @@ class Log {
   /// @param on  of all categories.
   Log(Write write, bool on) : write_(std::move(write)), discards_(on) {}
 
-  /// @param categories  of the host, n of them; none: all.
+  /// @param categories  of the host, as many as `n`; none: all.
   /// @throws std::runtime_error for a category that is not there, and for a null pointer.
   void select(bool on, const char* const* categories, std::size_t n);
   void warn(const char* message) const;

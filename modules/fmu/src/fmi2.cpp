@@ -182,7 +182,7 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component component, fmi2StatusKind kind, fm
   if (kind != fmi2Terminated) return no_status(component);
   return code(attempt(component, [&](Component&) {
     brash::fmu::expect_array(value, 1);
-    *value = 0;  // the unit never ends a simulation by itself
+    *value = 0;  // the unit never ends a simulation on its own
   }));
 }
 fmi2Status fmi2GetStringStatus(fmi2Component component, fmi2StatusKind, fmi2String*) { return no_status(component); }

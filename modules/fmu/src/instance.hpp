@@ -15,7 +15,7 @@
 
 namespace brash::fmu {
 
-/// A call that changed nothing. The host may go on with other arguments.
+/// A call that changed nothing. The host may continue with other arguments.
 class Discarded : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -45,7 +45,7 @@ class Instance {
     unsigned reference = 0;
     Number value;
   };
-  /// Sets all of these, or none where one of them is refused.
+  /// Sets all of these, or none where one is refused.
   void set(const std::vector<Setting>& settings);
 
   /// Follows a step of the host in whole time steps of the case. The part of one that is left comes with the next call.

@@ -21,7 +21,7 @@ struct State {
   double start_time = 0.0;  ///< of the host, when the simulation is at 0 s [s]
   std::optional<double> stop_time;
   std::int64_t n_steps = 0;  ///< of the simulation
-  double remainder = 0.0;    ///< time of the host past these steps, less than one of them [s]
+  double remainder = 0.0;    ///< time of the host past these steps, less than one step [s]
   model::Case resolved;      ///< with the parameters that the host has set
   Inputs inputs;             ///< of a driven structure
   Track track;               ///< of a driven structure
@@ -29,7 +29,7 @@ struct State {
   std::optional<model::Checkpoint> checkpoint;  ///< of a simulation that has begun
 };
 
-/// `state` as bytes, nothing rounded, with their digest. The path of a model file is no part of them.
+/// `state` as bytes, nothing rounded, with their digest. The path of a model file is not in the bytes.
 /// @param token  of the unit.
 std::string to_bytes(const State& state, const std::string& token);
 

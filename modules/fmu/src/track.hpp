@@ -11,8 +11,8 @@ namespace brash::fmu {
 
 /// Where a host has put a driven structure step by step, and where its velocities would have led it.
 ///
-/// Contacts see the velocity, and the place follows the pose. A host that gives one of them alone gets loads that look
-/// right and are not. At equal times both lead to the same place, but for the rounding of a host that gives the
+/// Contacts see the velocity, and the place follows the pose. A host that gives only one of the two gets loads that
+/// look right and are not. At equal times both lead to the same place, but for the rounding of a host that gives the
 /// velocity at the start or the end of a step: that stays within two strides, however long the run is.
 class Track {
  public:

@@ -63,7 +63,7 @@ bool has_motion(const model::Case& c, const std::string& name) {
   return !is_driven(c) && std::ranges::find(kInPlan, name) != kInPlan.end();
 }
 
-/// Where the structure is, if it moves by itself; loads by region of a ship's or a mesh's hull, or by leg; all others.
+/// Where the structure is, if it moves on its own; loads by region of a ship's or a mesh's hull, or by leg; all others.
 bool has_output(const model::Case& c, const std::string& name) {
   if (name.starts_with("structure_")) return has_motion(c, name);
   bool has = true;

@@ -89,7 +89,7 @@ struct View {
     published();
   }
 
-  /// All browsers are told, so that each shows the button that fits.
+  /// All browsers get a message, so that each shows the button that fits.
   void wish_pause(bool paused) {
     if (is_paused.exchange(paused) != paused) publish("paused", paused ? "true" : "false");
   }

@@ -41,12 +41,12 @@ struct Inputs {
 };
 
 /// The values that a step gives. Loads have the axes and signs of model::LoadRow, which turn with the structure's
-/// heading. They are means over the time steps that end in the step of the host. If it is a whole number of them and
-/// the heading stays, they keep its impulse.
+/// heading. They are means over the time steps that end in the step of the host. If that is a whole number of time
+/// steps and the heading stays, they keep its impulse.
 struct Outputs {
   Wrench total, crushing, floe_normal, floe_friction;
   Vec3 place{};     ///< of the structure's origin, at the end of the step [m]
-  Vec3 attitude{};  ///< roll, pitch and heading, likewise [rad]
+  Vec3 attitude{};  ///< roll, pitch and heading, at the end of the step [rad]
   Twist twist{};    ///< mean over the step [m/s], [rad/s]
   model::RegionLoads regions;
 

@@ -14,7 +14,7 @@ struct Limits {
   std::size_t header = 8192;                 ///< bytes of a request before its body
   std::size_t body = 1024;                   ///< bytes; wishes have none
   std::size_t connections = 64;              ///< the oldest one without the token makes room for a new one
-  int readers = 12;                          ///< browsers that take the stream; the next one is told so (503)
+  int readers = 12;                          ///< browsers that take the stream; the next one is refused (503)
   std::chrono::milliseconds request{5000};   ///< time for a whole request, so that no client is slow without end
   std::chrono::milliseconds answer{30'000};  ///< time in which a client has to take one answer, or one event
 };
@@ -45,7 +45,7 @@ class Server {
   /// Whether a browser takes the stream now. What nobody takes need not be made yet.
   bool is_watched() const;
 
-  /// Whether a browser asked for a pause that goes on.
+  /// Whether a browser asked for a pause that continues.
   bool is_paused() const;
 
   /// Whether a browser asked for an end.
