@@ -45,7 +45,7 @@ bool is_classic(std::string_view bytes) {
   return bytes.size() >= 4 && bytes.starts_with("CDF") && (bytes[3] == 1 || bytes[3] == 2 || bytes[3] == 5);
 }
 
-/// Refuses a path that is no regular file, and a file that does not begin as netCDF, before all of it is read.
+/// Refuses a path that is not a regular file, and a file that does not begin as netCDF, before all of it is read.
 std::string read(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0)
@@ -85,7 +85,7 @@ bool is_inside(hid_t dataset) {
   return list.is_open() && H5Pget_external_count(list.id()) == 0 && H5Pget_layout(list.id()) != H5D_VIRTUAL;
 }
 
-/// One link of a file. @return 0 to go on, 1 when it leads out of the file, or to data that do.
+/// One link of a file. @return 0 to continue, 1 when it leads out of the file, or to data that do.
 extern "C" herr_t look_at_link(hid_t group, const char* name, const H5L_info_t* link, void*) {
   if (link->type != H5L_TYPE_HARD) return 1;
   const Handle object(H5Oopen(group, name, H5P_DEFAULT), &H5Oclose);

@@ -53,7 +53,7 @@ const char* brash_check(const char* toml, const char* name) {
 }
 
 /// Begins a simulation: `head` as Session::head(), `start` as Session::start(). The earlier one is gone, but it stays
-/// if the text is no case.
+/// if the text is not a case.
 const char* brash_make(const char* toml, const char* name) {
   return said([&] {
     brash::model::Case resolved = brash::io::parse_case(toml, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core in a thread of its own: it computes, and the page goes on drawing.
+// The core in a thread of its own: it computes, and the page continues to draw.
 import type { Asked, Loaded } from "./core";
 
 interface Module {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of the standard library that emscripten's libc++ 13 does not have. Every source of this build includes the file
-// first. A name that a later libc++ brings would be a clash, which the compiler tells.
+// first. A name that a later libc++ brings would be a clash, which the compiler reports.
 #pragma once
 
 #ifdef __cplusplus

@@ -7,7 +7,7 @@
 
 namespace brash::netcdf {
 
-/// Held while netCDF or HDF5 is in use: neither of them knows threads.
+/// Held while netCDF or HDF5 is in use: neither library knows threads.
 class Lock {
  public:
   Lock();
@@ -22,8 +22,8 @@ class Source {
  public:
   /// Reads the file at `path`, and opens it.
   ///
-  /// @throws InputError when it is a folder, a pipe or a device, cannot be read, is no netCDF file, or refers to data
-  ///         outside of it (external storage, external links, virtual data sets).
+  /// @throws InputError when it is a folder, a pipe or a device, cannot be read, is not a netCDF file, or refers to
+  ///         data outside of it (external storage, external links, virtual data sets).
   explicit Source(const std::string& path);
   /// Opens `bytes`, which came from `path`. @throws InputError as above.
   Source(const std::string& path, std::string bytes);

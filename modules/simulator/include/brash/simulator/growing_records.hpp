@@ -11,7 +11,7 @@
 
 namespace brash::simulator {
 
-/// The records that a simulation which goes on leaves for a page that draws it. It reads the simulation and changes
+/// The records that a running simulation leaves for a page that draws it. It reads the simulation and changes
 /// nothing of it.
 class GrowingRecords {
  public:
