@@ -14,7 +14,7 @@
 namespace brash::failure {
 namespace {
 
-/// The lengths of a moving sheet over those of one at rest are sought in this range. They are not longer: on a
+/// The lengths of a moving sheet over the lengths of one at rest are sought in this range. They are not longer: on a
 /// protrusion the static hump stays where it is at any length, and none may be as far in as the moving one.
 constexpr double kShortest = 0.15, kLongest = 1.0;
 constexpr int kHalvings = 8;
@@ -51,7 +51,7 @@ Bending bending_of(const std::vector<double>& station, double lengths, double th
 }  // namespace
 
 double EdgeHistory::slope_after(std::size_t knot) const {
-  // Beyond the end the force goes on as before.
+  // Beyond the end the force continues as before.
   const std::size_t i = std::min(knot, knots_.size() - 2);
   return (knots_[i + 1].force - knots_[i].force) / (knots_[i + 1].time - knots_[i].time);
 }

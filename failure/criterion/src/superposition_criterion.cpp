@@ -28,7 +28,7 @@ plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
 
 namespace {
 
-/// A load is dismissed that is so many times below the strength, as far as the bound tells. Where it was tried, the
+/// A load is dismissed that is so many times below the strength, as far as the bound shows. Where it was tried, the
 /// bound was never exceeded (`failure_dismiss`).
 constexpr double kDismissed = 2.0;
 /// Share of the buckling load up to which the bound holds.

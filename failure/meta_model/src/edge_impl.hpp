@@ -26,7 +26,7 @@ struct GridField {
 
 struct EdgeResponseModel::Impl {
   std::array<std::vector<double>, kEdgeAxes> grid;  ///< b / l_c, theta, c / l_c, h / l_c
-  bool has_split = false;                           ///< the points of the split sheets follow those of the whole ones
+  bool has_split = false;                           ///< points of the split sheets come after points of whole ones
   std::vector<double> time;                         ///< for plate::kUsualMass
   double reach = 0.0;                               ///< last station beyond the base line / l_c
   std::string data_sha256;

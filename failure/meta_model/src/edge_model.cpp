@@ -24,7 +24,7 @@ constexpr double kVarianceLeft = 1e-6;
 constexpr Index kMostModes = 75;
 /// Principal shapes and histories of the moments.
 constexpr Index kShapes = 20;
-/// How far a grid of two thicknesses, which is linear in them, goes on so for thicker ice, over its width.
+/// How far a grid of two thicknesses, which is linear in them, continues so for thicker ice, over its width.
 constexpr double kBeyond = 1.5;
 /// Keeps the logarithm of the depth finite; about half the thickness, below which responses hardly depend on it.
 constexpr double kDepthShift = 0.05;
@@ -32,7 +32,7 @@ constexpr double kDepthShift = 0.05;
 constexpr double kWide = 4.0;
 /// Moments along the edge at B are of this order in c: c / (1 + kEdgeSpread c).
 constexpr double kEdgeSpread = 2.0;
-/// Moments on the axis fall as 1 / (1 + kAxisSpread c) against those of a beam.
+/// Moments on the axis fall as 1 / (1 + kAxisSpread c) against the moments of a beam.
 constexpr double kAxisSpread = 0.65;
 /// Moments before this time over sqrt(l_c / g) count less: plate theory and mesh end there.
 constexpr double kTrusted = 0.1;
@@ -116,7 +116,7 @@ std::vector<double> distinct(std::span<const EdgeSample> samples, double EdgeGeo
                              "compute it again with a plan as experiments/failure_database/edge.toml"});
 }
 
-/// The sample at every point of the grid; a straight edge stands for all angles.
+/// The sample at every point of the grid; a straight edge is used for all angles.
 std::vector<const EdgeSample*> samples_on_grid(std::span<const EdgeSample> samples,
                                                const std::array<std::vector<double>, kEdgeAxes>& grid, bool has_split) {
   std::vector<const EdgeSample*> result;
@@ -182,7 +182,7 @@ VectorXd membrane_of(const EdgeSample& s, const ProfileShape& shape) {
   return values;
 }
 
-/// Stations fall together where b is (nearly) 0: the last of them counts.
+/// Stations fall together where b is (nearly) 0: the last one counts.
 std::vector<std::size_t> distinct_stations(const std::vector<double>& station) {
   constexpr double kSameStation = 1e-9;
   std::vector<std::size_t> kept;

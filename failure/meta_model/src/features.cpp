@@ -13,7 +13,7 @@ namespace {
 /// Keeps the logarithm of b / l_c finite at the straight edge; the depth below which the edge is nearly straight.
 constexpr double kDepthShift = 0.1;
 
-/// `value` of |b|, reflected at that of the straight edge for a bay.
+/// `value` of |b|, reflected at the value of the straight edge for a bay.
 Lane reflected(const Lane& b, const Lane& value, double straight) {
   return (b < 0.0).select(2.0 * straight - value, value);
 }

@@ -14,7 +14,7 @@ class GridAxis {
   /// @param points  rising.
   explicit GridAxis(std::vector<double> points);
 
-  /// The weights of the points for the value at `x`, shape=(n_points,). Beyond the ends the spline goes on.
+  /// The weights of the points for the value at `x`, shape=(n_points,). Beyond the ends the spline continues.
   Eigen::VectorXd weights(double x) const;
 
  private:

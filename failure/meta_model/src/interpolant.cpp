@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 constexpr double kSamePoint = 1e-5;
 /// A feature that deviates less than this takes one value.
 constexpr double kNoSpread = 1e-12;
-/// Keeps terms of the polynomial that the points cannot tell apart at zero. The kernel's values are of order 1 and
-/// more.
+/// Keeps at zero the terms of the polynomial that the points cannot distinguish. The kernel's values are of order 1
+/// and more.
 constexpr double kRidge = 1e-10;
 
 /// Root mean squares of the deviations from `middle`.
@@ -36,7 +36,7 @@ VectorXd kernels(const MatrixXd& centres, const VectorXd& at) {
   return square.square() * square.sqrt();
 }
 
-/// 1, the features, and the products of two of them.
+/// 1, the features, and the products of two features.
 VectorXd polynomial_terms(const VectorXd& x) {
   VectorXd terms(n_polynomial_terms(x.size()));
   terms(0) = 1.0;

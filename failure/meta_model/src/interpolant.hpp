@@ -7,7 +7,7 @@
 namespace brash::meta_model {
 
 /// Interpolates vectors between scattered points: fifth powers of the distances to the points and a polynomial of
-/// degree 2, so it passes through all of them and reproduces quadratics.
+/// degree 2, so it passes through all the points and reproduces quadratics.
 struct Interpolant {
   Eigen::VectorXd offset;      ///< of the features, shape=(n_features,)
   Eigen::VectorXd factor;      ///< of the features; distances are measured in (feature - offset) / factor

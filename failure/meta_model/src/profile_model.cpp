@@ -140,7 +140,7 @@ void add_components(const FieldModel& field, const VectorXd& features, const std
   }
 }
 
-/// Stations fall together where b is (nearly) 0: the last of them is enough.
+/// Stations fall together where b is (nearly) 0: the last one is enough.
 void drop_equal_stations(Profiles& p) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < p.station.size(); ++i) {

@@ -19,8 +19,8 @@ struct BeamScale {
   double bending = 0.0;
 };
 
-/// The scale of a beam as wide as the load has spread at the distance `x` from the tip over l_c, which bears load and
-/// moment.
+/// The scale of a beam as wide as the load has spread at the distance `x` from the tip over l_c, which carries load
+/// and moment.
 BeamScale beam_at(const Geometry& geometry, double x);
 
 /// Width of the protrusion at its base line over l_c.

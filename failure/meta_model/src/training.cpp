@@ -101,7 +101,7 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   std::set<int> unique;
   for (const Sample& s : samples) unique.insert(s.geometry);
   std::vector<int> geometries(unique.begin(), unique.end());
-  constexpr std::size_t kFewest = 10;  // below this a share of 15 % is no sample
+  constexpr std::size_t kFewest = 10;  // below this a share of 15 % is not a sample
   if (geometries.size() < kFewest) {
     throw InputError(Complaint{"the database", fmt::format("has {} solved geometries", geometries.size()),
                                fmt::format("at least {} for training", kFewest), "raise `geometries` in the plan"});

@@ -27,7 +27,8 @@ constexpr int kTile = 4;
 /// Numbers of a column, as the compiler's vector type: Eigen's would have the registers of the oldest processor.
 using Vector = double __attribute__((vector_size(kTile * sizeof(double))));
 
-/// Subtracts from a tile of a matrix the product of `depth` columns of other rows with those of the tile's columns.
+/// Subtracts from a tile of a matrix the product of `depth` columns of other rows with the entries of the tile's
+/// columns.
 template <int kColumns>
 inline void subtract_tile(const double* rows, const double* columns, Index stride, Index depth, double* target,
                           Index target_stride) {

@@ -68,7 +68,7 @@ class Field {
 tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem);
 
 /// The plate of a BendingProblem with its stiffness factorised. Local unknowns of every element, shape=(n_local,
-/// n_elements): the deflection's nodal values, then those of the two rotations.
+/// n_elements): the deflection's nodal values, then the nodal values of the two rotations.
 class BendingSystem {
  public:
   /// With the answer to the problem's own load.

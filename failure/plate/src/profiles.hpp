@@ -9,8 +9,8 @@ namespace brash::plate {
 
 /// Polynomial order of the elements in production.
 inline constexpr int kOrder = 3;
-/// h / l_c that stands for Kirchhoff's theory: the shear flexibility left changes stresses by 2e-4, and rounding takes
-/// over at a third of it.
+/// h / l_c that represents Kirchhoff's theory: the shear flexibility left changes stresses by 2e-4, and rounding
+/// takes over at a third of it.
 inline constexpr double kThinPlate = 1e-3;
 /// The stations reach this far beyond the base line, over l_c.
 inline constexpr double kReach = 4.0;
@@ -28,7 +28,7 @@ struct Cluster {
 /// Stations from 0 to `length`, evenly spaced up to `dense`, thinner beyond, and denser in the clusters.
 std::vector<double> make_stations(double length, double dense, const std::vector<Cluster>& clusters);
 
-/// Those of a protrusion or a bay: clustered at B, and where the centre line crosses the base line.
+/// The stations of a protrusion or a bay: clustered at B, and where the centre line crosses the base line.
 std::vector<double> stations_of(const WedgePlate& plate);
 
 /// Largest principal values on a circle around a corner.

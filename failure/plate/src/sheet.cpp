@@ -26,7 +26,7 @@ constexpr double kCoarser = 2.5;
 constexpr int kAttempts = 3;
 /// A line may start outside the ice by this much, over l_c: the edge is simplified.
 constexpr double kOutside = 0.05;
-/// Points on which a patch load acts: rings of them.
+/// Rings of points on which a patch load acts.
 constexpr int kPatchRings = 3;
 constexpr int kPatchSpokes = 12;
 

@@ -29,7 +29,7 @@ struct SheetSizes {
   std::size_t most_vertices = 0;  ///< a mesh with more is tried again on a simpler edge, then given up
   int membrane_order = 3;
   int bending_order = kOrder;
-  /// Fewest triangles to which the stress is fitted. On a coarse mesh more of them smooth it too much.
+  /// Fewest triangles to which the stress is fitted. On a coarse mesh more triangles smooth it too much.
   std::size_t smallest_patch = 3;
 };
 

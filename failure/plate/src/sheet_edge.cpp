@@ -63,7 +63,7 @@ Station project(const Polyline& line, const std::vector<double>& along, Vec2 pla
     const Vec2 off = place - foot_on(line[i], line[i + 1], place).place;
     square.push_back(dot(off, off));
   }
-  // Roots only where squares cannot tell which is nearest.
+  // Roots only where squares cannot show which is nearest.
   const double least = *std::min_element(square.begin(), square.end()) * kRounding;
   Station best;
   for (std::size_t i = 0; i < square.size(); ++i) {

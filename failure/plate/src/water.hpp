@@ -13,7 +13,7 @@ namespace brash::plate {
 ///
 /// The potential on the sheet is continuous and linear on the triangles of the sheet's mesh, and solves
 /// int int grad phi(x) . grad psi(y) / (2 pi |x - y|) = int v psi for the velocity v of the sheet (Galerkin's boundary
-/// elements). A mesh with a line of symmetry on the x-axis stands for both of its sides.
+/// elements). A mesh with a line of symmetry on the x-axis represents both of its sides.
 /// @see docs/theory/fracture-of-the-edge.md, (W2), (W3)
 class WaterUnderSheet {
  public:

@@ -135,7 +135,7 @@ class BendingCriterion {
   /// @param load  depth >= 0, contact_length > 0, angle in [0, pi), mu1 > 0, pressure >= 0.
   virtual Assessment assess(const LoadCase& load) const = 0;
   /// The answer of `assess`, without stress and breaking length, if it is plain at a small price that `load` stays
-  /// below half the strength. Nothing where only `assess` can tell.
+  /// below half the strength. Nothing where only `assess` can show that.
   virtual std::optional<Assessment> dismiss(const LoadCase& /*load*/) const { return std::nullopt; }
   /// Whether an input exceeds the model's range. A shorter step of the structure may bring it back.
   virtual bool above_range(const LoadCase& /*load*/) const { return false; }
@@ -157,7 +157,7 @@ struct BendingOptions {
   /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
   /// line before it breaks circumferentially: `plate`, and `superposition` with the models that come with the program.
   bool radial_first = false;
-  /// The stress is judged all over the sheet around B, not on the centre line alone: `plate-outline`.
+  /// The stress is evaluated all over the sheet around B, not on the centre line alone: `plate-outline`.
   bool anywhere = false;
   /// Where quadratic elements find less than 0.8 of the strength, for a radial crack too, the sheet is not solved with
   /// cubic ones. Stress and breaking length are theirs then: `plate-outline`.

@@ -44,7 +44,7 @@ class EdgeHistory {
 
     double of(const double* series, std::size_t stride, double static_value) const;
   };
-  /// @param at      time >= time(); until then the force goes on as in its last step [s].
+  /// @param at      time >= time(); until then the force continues as in its last step [s].
   /// @param period  T = sqrt(l_c/g) [s].
   Weights weights(const std::vector<double>& series_time, double period, double at) const;
 
@@ -92,7 +92,7 @@ class EdgeDynamics {
   double memory_ = 0.0;
 };
 
-/// With the responses that come with the program: those of the nearest trapezoid in their range.
+/// With the responses that come with the program: the responses of the nearest trapezoid in their range.
 /// @throws InputError when their files cannot be read.
 EdgeDynamics make_edge_dynamics(const IceProperties& ice, double ice_density);
 

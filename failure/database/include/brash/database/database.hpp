@@ -42,8 +42,8 @@ struct Progress {
 
 /// Solves every geometry of `plan` and writes the database to `path` (netCDF-4) by rename when whole.
 ///
-/// Finished chunks lie in `path`.chunks until then. A build that was stopped or killed goes on after its last whole
-/// chunk, so no geometry appears twice. A database that is already there for the same plan is left alone.
+/// Finished chunks lie in `path`.chunks until then. A build that was stopped or killed continues after its last
+/// whole chunk, so no geometry appears twice. A database that is already there for the same plan is left alone.
 ///
 /// @param go_on  called after each chunk; the build stops when it returns false.
 /// @return the progress; `done < total` when stopped.

@@ -32,7 +32,7 @@ bool is_edge_plan(const std::string& path);
 /// The plan with every key, in a fixed order.
 std::string to_text(const EdgePlan& plan);
 
-/// The geometries of the plan: those of one outline follow each other.
+/// The geometries of the plan: the geometries of one outline follow each other.
 std::vector<plate::EdgeGeometry> design(const EdgePlan& plan);
 
 struct EdgeRecord {
@@ -50,7 +50,7 @@ struct EdgeDatabase {
   std::vector<EdgeRecord> records{};
 };
 
-/// As those of a Plan.
+/// As the functions for a Plan.
 Progress build(const EdgePlan& plan, const std::string& path, const std::function<bool(const Progress&)>& go_on = {});
 std::vector<int> missing_chunks(const EdgePlan& plan, const std::string& path);
 void solve_chunk(const EdgePlan& plan, const std::string& path, int first);

@@ -45,7 +45,7 @@ class EdgeResponseModel {
 
   RangeCheck check(const EdgeGeometry& geometry) const;
   /// The nearest geometry that at() takes: in the range, or thicker by up to one and a half times the width of a grid
-  /// of two thicknesses, along whose straight line it goes on.
+  /// of two thicknesses, along whose straight line it continues.
   EdgeGeometry clamp(const EdgeGeometry& geometry) const;
   /// `{lower, upper}`; mass ratio and split are not limited.
   const std::array<EdgeGeometry, 2>& range() const;

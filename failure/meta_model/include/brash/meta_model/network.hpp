@@ -102,7 +102,7 @@ struct NetworkParameters {
 ///
 ///     ln(b/l_c + 0.1),  ln(c/l_c),  ln(1 + 2 b tan(theta/2) / c),  ln(mu1),  mu2^2.
 ///
-/// The third is the base width over the tip width: it stands for theta, and says nothing for b = 0, where theta has no
+/// The third is the base width over the tip width: it represents theta, and says nothing for b = 0, where theta has no
 /// meaning. The last is even, as the stress on the centre line is. y holds ln(sigma/p) and l_break/l_c as z-scores.
 ///
 /// Two networks of the paper's size, one an output, are one network here: W2 has zeros where a hidden unit serves the

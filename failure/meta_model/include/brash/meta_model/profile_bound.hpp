@@ -8,14 +8,14 @@ namespace brash::meta_model {
 /// Values that the profiles of a geometry hardly exceed anywhere on the centre line; units as in Profiles.
 struct ProfileExtremes {
   double bending = 0.0;        ///< of either component, as all of these
-  double normal = 0.0;         ///< likewise
-  double tangential = 0.0;     ///< likewise
-  double first = 0.0;          ///< likewise
-  double rest = 0.0;           ///< likewise
+  double normal = 0.0;         ///< the same for normal_xx and normal_yy
+  double tangential = 0.0;     ///< the same for tangential_xy
+  double first = 0.0;          ///< the same for first_xx and first_yy
+  double rest = 0.0;           ///< the same for rest_xx and rest_yy
   double buckling_load = 0.0;  ///< hardly less
 };
 
-/// Tells how large a model's profiles get without a look at them, at a hundredth of the price.
+/// Reports how large a model's profiles get without a look at them, at a hundredth of the price.
 ///
 /// Profiles are of order 1 when they are divided by the values of a beam as wide as the load has spread. Tangential
 /// stresses are divided by 1 + b / base width instead. The largest quotients come from a lattice of geometries; between

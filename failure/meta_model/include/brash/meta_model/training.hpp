@@ -90,7 +90,7 @@ struct Trained {
 /// @see docs/theory/fracture-of-the-edge.md
 Trained train(std::span<const Sample> samples, const TrainingOptions& options);
 
-/// Quantile of sorted values, linear between order statistics; those of all model cards.
+/// Quantile of sorted values, linear between order statistics; used for all model cards.
 /// @param sorted  rising, at least one.
 /// @param share   in [0, 1].
 double quantile(std::span<const double> sorted, double share);

@@ -26,7 +26,7 @@ struct EdgeGeometry {
 
 /// The motion depends on the mass ratio almost only through t / sqrt(mass_ratio + kMassShift).
 inline constexpr double kMassShift = 0.15;
-/// The mass ratio whose times are those of EdgeResponses in production: the validation case's.
+/// The mass ratio whose times EdgeResponses has in production: the validation case's.
 inline constexpr double kUsualMass = 0.0886;
 
 /// How the edge of a floating sheet, at rest before, answers a line load on its tip that is even over the contact

@@ -46,9 +46,9 @@ enum class Accuracy {
 /// `+-6 m (l_c/h)^2 + n (l_c/h)`, with the moment m and the membrane stress resultant n.
 struct LoadedSheet {
   /// The free edge, from y < 0 to y > 0, through the origin, the ice on its right (+x). Beyond its first and last
-  /// point, which have the least and the largest y, the edge goes on along -y and +y. Features that are small against
-  /// l_c and the contacts are simplified away: points, slivers and necks of ice, slots. If the edge cannot be meshed
-  /// otherwise, necks with loads behind them are cut too, and these loads move to the edge next to them.
+  /// point, which have the least and the largest y, the edge continues along -y and +y. Features that are small
+  /// against l_c and the contacts are simplified away: points, slivers and necks of ice, slots. If the edge cannot be
+  /// meshed otherwise, necks with loads behind them are cut too, and these loads move to the edge next to them.
   std::vector<Vec2> outline{};
   std::vector<EdgeLoad> edge_loads{};    ///< shape=(n,), at least one load of either kind
   std::vector<PatchLoad> patch_loads{};  ///< shape=(m,)
