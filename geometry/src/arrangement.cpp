@@ -67,8 +67,8 @@ Arrangement::Arrangement(const Noding& noding, const FreeEdges& boundary)
 
 Arrangement::~Arrangement() = default;
 
-/// The first free edge around one of the face's vertices tells, over cracks and the region's boundary; a face where
-/// there is none at any vertex lies wholly in ice or in water.
+/// The first free edge around one of the face's vertices shows whether it is ice, over cracks and the region's
+/// boundary; a face where there is none at any vertex lies wholly in ice or in water.
 int Arrangement::Impl::ice_in(Face face) const {
   int ice = FaceLabel::kUnknown;
   HalfEdge side;
@@ -235,7 +235,7 @@ tl::expected<FreeEdges::Change, OverlapError> boundary_of(const std::vector<Poin
   NodedMap noded(nodes, edges);
   cover_faces(noded.map, &FaceLabel::ice, sheet);
   const auto from = [&](HalfEdge h) { return nodes[h->source()->data()]; };
-  // Of several faults the leftmost is told.
+  // Of several faults the leftmost is reported.
   std::optional<OverlapError> fault;
   for (const HalfEdge h : noded.map.halfedge_handles()) {
     const int ice = h->face()->data().ice;

@@ -44,7 +44,7 @@ void EdgeIndex::Table::erase(std::int64_t x, std::int64_t y) {
   const std::size_t mask = cells_.size() - 1;
   std::size_t hole = slot(EdgeIndexKeys::key(x, y));
   BRASH_EXPECTS(cells_[hole].key != 0, x, y);
-  // Move back every later cell of the run that may stand in the hole.
+  // Move back every later cell of the run that may go into the hole.
   for (std::size_t i = (hole + 1) & mask; cells_[i].key != 0; i = (i + 1) & mask) {
     const std::size_t home = mixed(cells_[i].key) & mask;
     if (((i - home) & mask) < ((i - hole) & mask)) continue;

@@ -73,7 +73,7 @@ int winding(std::span<const Point> ring, Point p, int scale) {
 bool is_met_before(Point a_from, Point a_to, Point b_from, Point b_to) {
   const auto [a_low, a_high] = a_from.y < a_to.y ? std::pair{a_from, a_to} : std::pair{a_to, a_from};
   const auto [b_low, b_high] = b_from.y < b_to.y ? std::pair{b_from, b_to} : std::pair{b_to, b_from};
-  // Judged at the higher of the lower ends, or by direction where they start in one point.
+  // Evaluated at the higher of the lower ends, or by direction where they start in one point.
   if (a_low.y >= b_low.y) {
     const int apart = side(b_low, b_high, a_low);
     return apart != 0 ? apart > 0 : side(b_low, b_high, a_high) > 0;

@@ -79,7 +79,7 @@ std::int64_t scaled(std::int64_t length, Int128 numerator, Int128 denominator);
 /// The grid point in whose half-open pixel the crossing of a b and c d lies; they must cross properly.
 Point rounded_crossing(Point a, Point b, Point c, Point d);
 
-/// How often the closed `ring` winds around `p`, which is not on it; `scale`: p stands for p / scale.
+/// How often the closed `ring` winds around `p`, which is not on it; `scale`: p represents p / scale.
 int winding(std::span<const Point> ring, Point p, int scale = 1);
 
 /// True when the ray from p in +x direction, raised by less than any vertex, meets the segment; not when p is on it.

@@ -61,7 +61,7 @@ class Reader {
   }
   /// The member `crs` as it is written.
   tl::expected<std::string, GeometryError> crs() {
-    type_of(root_);  // of a text that is no GeoJSON at all, that is the fault to name
+    type_of(root_);  // of a text that is not GeoJSON at all, that is the fault to name
     const JsonNode* member = error_ ? nullptr : find(root_, "crs");
     refuse_degrees(member);
     if (error_) return tl::unexpected(*error_);
@@ -315,7 +315,7 @@ tl::expected<Map, GeometryError> map_of(std::string_view text, const JsonNode& r
   Survey survey;
   if (const auto read = Reader(text, root, {{}, &survey}).features_with_ice(); !read)
     return tl::unexpected(read.error());
-  // Another program may have projected the coordinates anew and kept the member as it was.
+  // Another program may have projected the coordinates again and kept the member as it was.
   const bool own_counts = own->has_value() && survey.lies_around(**own);
   map.origin = origin.value_or(own_counts ? **own : survey.origin());
   map.looks_like_degrees = crs->empty() && !origin && !*own && could_be_degrees(survey);

@@ -172,7 +172,7 @@ std::vector<std::vector<Vec2>> IceSheet::free_edge(Vec2 at, double radius) const
     const auto place = std::lower_bound(places.begin(), places.end(), std::pair<int, std::size_t>{id, 0});
     return place != places.end() && place->first == id ? &edges[place->second] : nullptr;
   };
-  /// The edge that goes on where `e` ends, when that is within the circle.
+  /// The edge that continues where `e` ends, when that is within the circle.
   const auto next_of = [&](const ClippedEdge& e) -> ClippedEdge* {
     ClippedEdge* next = e.ends_whole ? find(boundary.edge(e.id).next) : nullptr;
     return next != nullptr && next->starts_whole ? next : nullptr;

@@ -165,7 +165,7 @@ void IceSheet::check() const {
   const FreeEdges& edges = impl_->boundary;
   edges.check_loops();
   edges.check_nodes();
-  // Made again from its polygons the sheet is the same; that judges the sides and the nesting of loops.
+  // Made again from its polygons the sheet is the same; that checks the sides and the nesting of loops.
   const std::vector<Polygon> before = polygons();
   const auto again = from_polygons(before);
   BRASH_EXPECTS(again.has_value(), again.error().what);

@@ -22,7 +22,7 @@ struct JsonNode {
   double number = 0.0;
   /// The number, where it is a whole one that fits.
   std::optional<std::int64_t> integer;
-  /// A string, or a number as it is written where it is no whole one that fits.
+  /// A string, or a number as it is written where it is not a whole one that fits.
   std::string text;
   std::vector<JsonNode> items;
   /// Names of `items` in an object.

@@ -47,7 +47,7 @@ void Noding::gather(std::span<const Point> region, std::span<const Crack> cracks
 }
 
 void Noding::add_crossings() {
-  // The region's edges by their left end: the edges that can meet a given edge are a run of them.
+  // The region's edges by their left end: the edges that can meet a given edge are consecutive.
   std::vector<const Segment*> region;
   region.reserve(segments_.size());
   crossings_.reserve(16);

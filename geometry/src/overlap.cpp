@@ -104,7 +104,7 @@ void Overlap::add_region_edges() {
   }
 }
 
-/// Free edges meet the region in nodes only, so all of them at a node beside the region are on the same side.
+/// Free edges meet the region in nodes only, so all free edges at a node beside the region are on the same side.
 bool Overlap::is_in_region(const JoinedEdges::Edge& edge) {
   for (const int node : {edge.left, edge.right}) {
     if (side_[node] == Side::kInside || side_[node] == Side::kOutside) return side_[node] == Side::kInside;

@@ -63,7 +63,7 @@ void for_each_side(FaceHandle face, Visit&& visit) {
   for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) walk(*ccb);
 }
 
-/// Noded edges as a planar map, and which half-edge each of them has become.
+/// Noded edges as a planar map, and which half-edge each edge has become.
 struct NodedMap {
   NodedMap(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges);
 

@@ -33,7 +33,7 @@ class PolygonEdges {
   std::string add(const Polygon& polygon, std::size_t number);
   /// The first ring whose turns cancel, in words. If it does not cross itself, it has no area.
   const std::string& flat_ring() const { return flat_ring_; }
-  /// All of them, as the edges come.
+  /// All crossings, as the edges come.
   std::vector<Crossing> crossings() const;
   /// The edges, led through all vertices and `crossings` in whose pixels they come.
   Noded noded(const std::vector<Crossing>& crossings);

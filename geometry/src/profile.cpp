@@ -117,7 +117,7 @@ std::optional<Profile> Profile::of_chain(std::span<const std::vector<Vec2>> edge
     std::vector<Vec2> points{foot.point};
     for (Vec2 at = foot.point; sign * points.back().y < reach;) {
       const Vec2* next = next_vertex();
-      // A chain that ends in the window is whole only where no other edge could go on from there.
+      // A chain that ends in the window is whole only where no other edge could continue from there.
       if (next == nullptr && edges.size() == 1) break;
       if (next == nullptr) return std::vector<Vec2>{};
       const double furthest = points.back().y;
@@ -137,7 +137,7 @@ std::optional<Profile> Profile::of_chain(std::span<const std::vector<Vec2>> edge
     }
     return points;
   };
-  // A closed chain goes on past the point where it starts, once around.
+  // A closed chain continues past the point where it starts, once around.
   const bool is_closed = chain.size() > 2 && chain.front() == chain.back();
   const std::size_t n = is_closed ? chain.size() - 1 : chain.size();
   const std::size_t n_back = is_closed ? n : foot.segment + 1, n_on = is_closed ? n : n - foot.segment - 1;

@@ -104,7 +104,7 @@ class Reader {
     return result;
   }
 
-  /// Takes "SRID=32633;", which PostGIS writes before a geometry. 0 is no code.
+  /// Takes "SRID=32633;", which PostGIS writes before a geometry. 0 is not a code.
   void take_srid() {
     skip_space();
     const std::size_t start = at_;
@@ -159,7 +159,7 @@ class Reader {
     if (!feature.polygon.outline.empty()) features.push_back(std::move(feature));
   }
 
-  /// The first position of a geometry decides how many numbers each has: a missing comma is no height.
+  /// The first position of a geometry decides how many numbers each has: a missing comma is not a height.
   Position read_position() {
     constexpr int kMostOrdinates = 4;
     Position position;

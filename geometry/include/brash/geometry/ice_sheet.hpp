@@ -41,10 +41,11 @@ struct GeometryError {
 
 /// One connected overlap of a structure's section with the ice.
 ///
-/// The overlap's outline is made of free edge (ice ends there) and of the section's boundary (ice goes on there). Where
-/// the two alternate more than once, the longest run of free edge is the front and everything else counts as one chord.
-/// Two overlaps have no chord: a section wholly surrounded by ice (no free edge on the outline) and a part of the ice
-/// wholly inside the section (nothing else). Then contact_length = 0 and normal = 0: the ice pushes to no one side.
+/// The overlap's outline is made of free edge (ice ends there) and of the section's boundary (ice continues there).
+/// Where the two alternate more than once, the longest run of free edge is the front and everything else counts as one
+/// chord. Two overlaps have no chord: a section wholly surrounded by ice (no free edge on the outline) and a part of
+/// the ice wholly inside the section (nothing else). Then contact_length = 0 and normal = 0: the ice pushes to no one
+/// side.
 struct ContactRegion {
   /// The overlap itself.
   Polygon overlap;

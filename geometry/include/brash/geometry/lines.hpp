@@ -12,7 +12,7 @@ namespace brash::geometry {
 /// Cracks that reach 0.1 um beyond their free ends, which no other crack has too.
 ///
 /// A line that is drawn to an edge or to another line may miss it by the rounding of all three to the grid, and would
-/// part nothing. The overshoot parts nothing by itself.
+/// part nothing. The overshoot parts nothing on its own.
 std::vector<Crack> beyond_free_ends(std::vector<Crack> cracks);
 
 /// Calls `visit(from, to)` for the ends of each edge of a polygon.

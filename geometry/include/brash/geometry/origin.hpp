@@ -19,7 +19,7 @@ class Decimal {
   explicit constexpr Decimal(std::int64_t metres) : whole_(metres) {}
   /// The number that all of `text` writes, such as "9000000.25", "-1.5" or "4e5". Digits after the 31st decimal are
   /// dropped: 31 decimals hold every half of a grid unit.
-  /// @return nothing when it is no such number, or one of 10^15 m or more.
+  /// @return nothing when it is not such a number, or is one of 10^15 m or more.
   static std::optional<Decimal> parse(std::string_view text);
 
   /// The nearest grid point from `origin`, halves away from zero [grid units]; docs/theory/geometry.md, (3).

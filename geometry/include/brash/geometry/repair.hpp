@@ -17,11 +17,11 @@ struct Fault {
   std::string what;           ///< such as "polygon 0 crosses polygon 1 at (5, 10)"
 };
 
-/// All faults: of each polygon by itself, then of pairs that cross or overlap. IceSheet::from_polygons() takes polygons
-/// without any.
+/// All faults: of each polygon on its own, then of pairs that cross or overlap. IceSheet::from_polygons() takes
+/// polygons without any.
 std::vector<Fault> faults_of(std::span<const Polygon> polygons);
 
-/// The faults of each polygon by itself; fault_of() has them without numbers.
+/// The faults of each polygon on its own; fault_of() has them without numbers.
 std::vector<Fault> own_faults_of(std::span<const Polygon> polygons);
 
 /// Faults in words, twenty at most, parted by semicolons; empty: there are none.
@@ -36,7 +36,7 @@ struct Repair {
   };
   std::vector<Part> parts;           ///< in the order of `from`; simple and apart, but for common vertices and edges
   std::vector<std::size_t> changed;  ///< numbers of the polygons whose shape is another one
-  std::vector<std::size_t> gone;     ///< those of them that have no part
+  std::vector<std::size_t> gone;     ///< numbers of the changed polygons that have no part
   std::vector<Fault> faults;         ///< that were repaired
   ExactArea given;                   ///< of the polygons that came in, each as its rings run
   ExactArea kept;                    ///< of the parts
@@ -51,8 +51,8 @@ struct Repair {
 /// Removes the faults of polygons. Polygons far from a fault stay as they are.
 ///
 /// A place is ice of a polygon if its outline winds around it and none of its holes does. A place of several polygons
-/// goes to the first of them. New vertices are rounded to the grid, for all polygons there at once. The cost grows with
-/// the square of the edges of polygons that lie together and are at fault.
+/// goes to the first of these polygons. New vertices are rounded to the grid, for all polygons there at once. The cost
+/// grows with the square of the edges of polygons that lie together and are at fault.
 ///
 /// @param polygons  any; rings within the grid.
 /// @return the repair, or why there is none.

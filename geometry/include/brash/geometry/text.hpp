@@ -76,14 +76,14 @@ struct Map {
 std::string name_of_crs(std::string_view crs);
 /// The member `crs` for a code of EPSG, such as 32633.
 std::string crs_of_code(std::string_view code);
-/// Whether two names stand for one coordinate reference system: they have the same code of EPSG, or are the same.
+/// Whether two names represent one coordinate reference system: they have the same code of EPSG, or are the same.
 bool are_same_crs(std::string_view a, std::string_view b);
 
 /// Whether the coordinates of a coordinate reference system, such as "urn:ogc:def:crs:EPSG::4326", are longitudes and
 /// latitudes. Knows OGC's CRS84, CRS83 and CRS27 and the usual codes of EPSG; no registry is asked.
 bool is_geographic(std::string_view name);
 
-/// Why a polygon is not simple by itself, such as "crosses itself at (5, 4.5)"; empty if it is.
+/// Why a polygon is not simple on its own, such as "crosses itself at (5, 4.5)"; empty if it is.
 std::string fault_of(const Polygon& polygon);
 
 /// The sheet of polygons that fault_of() or IceSheet::from_polygons() has checked: simple and disjoint ones.
@@ -103,8 +103,8 @@ std::string map_to_geojson(const Map& map);
 ///
 /// GeoJSON: a FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection, nested up to 64 deep. A
 /// geographic `crs`, whose coordinates are degrees, is an error. Without `kind` a feature is `sheet`; without `id`, or
-/// with one that is no whole number, it has its number in the file, from 0; null is as good as none. The members of a
-/// multi-part feature share both. Every other property and member is passed over, and so are heights and features
+/// with one that is not a whole number, it has its number in the file, from 0; null is as good as none. The members of
+/// a multi-part feature share both. Every other property and member is passed over, and so are heights and features
 /// without geometry; another geometry is an error.
 ///
 /// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and

@@ -43,7 +43,7 @@ struct FitRequest {
 /// request leaves it open, c in [0, reach]. A tie goes to b = 0; b = 0 has theta = 0.
 ///
 /// - Ice ahead of the tip line counts as standing on it: an edge that is concave at B has b = 0.
-/// - A chain through B that is no function of y, ends in the window although there are other edges, or fits worse
+/// - A chain through B that is not a function of y, ends in the window although there are other edges, or fits worse
 ///   than 0.1 is replaced by the ice that faces the structure: at each y the ice with the smallest x of all edges.
 ///   The result is then `reidentified`.
 /// - Without any edge: b = 0 with error 1.
@@ -56,7 +56,7 @@ Trapezoid fit_trapezoid(std::span<const std::vector<Vec2>> edges, const FitReque
 Trapezoid fit_trapezoid(const IceSheet& sheet, const FitRequest& request);
 
 /// Whether the request's direction leads into the ice: at once from a place on the free edge, and within the reach from
-/// one beside it. Without an edge within the reach there is no way to tell, and it does.
+/// one beside it. Without an edge within the reach there is no way to know, and it does.
 bool leads_into_ice(const IceSheet& sheet, const FitRequest& request);
 
 }  // namespace brash::geometry

@@ -28,7 +28,7 @@ struct Union {
 
 /// Unites polygons. They may overlap, touch, share edges, lie in each other's holes or be there twice.
 ///
-/// @param polygons  each simple by itself, any orientation.
+/// @param polygons  each simple on its own, any orientation.
 /// @return the union, or the error of the polygon that is not simple.
 tl::expected<Union, GeometryError> unite(std::span<const Polygon> polygons);
 
