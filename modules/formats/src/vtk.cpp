@@ -40,7 +40,7 @@ std::string escaped_xml(std::string_view text) {
 /// Arrays that go behind the XML, each with its length in bytes before it.
 class Appended {
  public:
-  /// @return the element that stands for `values` in the XML.
+  /// @return the element that represents `values` in the XML.
   template <typename T>
   std::string add(const char* type, std::string_view name, int n_components, const std::vector<T>& values) {
     const std::string element = fmt::format(

@@ -47,7 +47,7 @@ void take_crs(geometry::Map& map, const std::string& name);
 /// @throws InputError when the run has no frame at or before `time`.
 geometry::Map ice_map(const Replay& run, double time);
 
-/// Unites the polygons of a map, those of each kind with one another. Ice of floes goes; `notes` hears so.
+/// Unites the polygons of a map, the polygons of each kind with one another. Ice of floes goes; `notes` hears so.
 /// @param path  of the map, for messages.
 /// @return the ledger of the areas as JSON.
 /// @throws InputError naming a polygon that is not simple.

@@ -22,11 +22,11 @@ struct Replay {
 };
 
 /// Reads a run from its run.nc. Neither the failure model nor the files of the ice need be there.
-/// @throws InputError when the file is no run, or has polygons that cannot be drawn.
+/// @throws InputError when the file is not a run, or has polygons that cannot be drawn.
 Replay read_replay(const std::string& run_file);
 
 /// The sheets at the frames of a run, which stores them after each step with cracks: since then the structure's section
-/// in the waterplane has been crushed. Each is cut by itself, for sheets that drift may overlap. Between frames the
+/// in the waterplane has been crushed. Each is cut on its own, for sheets that drift may overlap. Between frames the
 /// path of the structure is not followed, so the channel's walls differ from the run's by less than it moves in a
 /// frame.
 class SheetReplay {

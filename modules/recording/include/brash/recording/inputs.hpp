@@ -37,7 +37,7 @@ Inputs read_inputs(const std::string& case_file, const std::vector<std::string>&
 /// The same for a case that has been read, from the text `case_text` of `case_file`.
 Inputs inputs_of(const std::string& case_file, const std::string& case_text, const model::Case& resolved);
 
-/// Refuses to go on when a file is not as it was read, once the simulation has read it too.
+/// Refuses to continue when a file is not as it was read, once the simulation has read it too.
 /// @throws InputError naming the file.
 void expect_unchanged(const Inputs& inputs);
 

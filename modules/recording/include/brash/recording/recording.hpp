@@ -10,7 +10,7 @@
 namespace brash::recording {
 
 /// The checkpoint file `path` as the store of a run: each state replaces the older one, by rename when whole.
-/// @param resume  the run goes on from the file, if it is there.
+/// @param resume  the run continues from the file, if it is there.
 /// Its functions throw InputError for a file that holds no state of a run, StorageError when it cannot be written.
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume);
 
