@@ -273,7 +273,7 @@ class PlanReader {
         axes_, [&](const Axis& axis) { return std::ranges::find(axis.names, key) != axis.names.end(); });
   }
 
-  /// Two spellings of one value would be computed twice, and no table could tell them apart.
+  /// Two spellings of one value would be computed twice, and no table could show which is which.
   void refuse_equal(const Setting& setting) {
     const auto [first, is_new] = name_of_case_.emplace(to_toml(setting.resolved), setting.name);
     if (!is_new)

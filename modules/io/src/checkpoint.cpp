@@ -26,7 +26,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kFormat = "brash-checkpoint-10";
-/// Of every variable and dimension of a table: results so far stand in the same file.
+/// Of every variable and dimension of a table: results so far are in the same file.
 constexpr const char* kPrefix = "state_";
 
 std::string dimension_of(const model::Table& table) { return kPrefix + table.name; }

@@ -67,8 +67,8 @@ class NetcdfWriter {
                 const std::vector<std::int8_t>& values);
   void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                 const std::vector<std::string>& values);
-  /// The same for values that `values` makes when the file is finished, `length` of them: a column of rows, so that no
-  /// more than one column at a time takes memory beside the rows.
+  /// The same for the `length` values that `values` makes when the file is finished: a column of rows, so that no more
+  /// than one column at a time takes memory beside the rows.
   template <typename T>
   void column(const std::string& name, const std::string& along, const Meaning& meaning, std::size_t length,
               std::function<std::vector<T>()> values);

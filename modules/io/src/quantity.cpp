@@ -53,7 +53,7 @@ std::string spelling_error(std::string_view unit) {
   return symbol_expected ? "it is incomplete" : "";
 }
 
-/// The short decimal that `factor` stands for, when it is within the roundings of a product of prefixes (0.0254 for
+/// The short decimal that `factor` represents, when it is within the roundings of a product of prefixes (0.0254 for
 /// 0.025400000000000002); else `factor`.
 double without_rounding(double factor) {
   double decimal = factor;

@@ -105,7 +105,7 @@ void read_path(Json& motion, const CaseSource& source, ModelFile in) {
   *path = std::move(rows);
 }
 
-/// A default that the chosen failure model does not take is no wish of the user.
+/// A default that the chosen failure model does not take is not a wish of the user.
 void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   const auto is_written = [&](const char* key) { return source.tree["failure"][key].node() != nullptr; };
   const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
@@ -121,7 +121,7 @@ void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   if (!takes.meta_model && !is_written("pressure")) c.failure.pressure = model::EdgePressure::kEdge;
 }
 
-/// Likewise of the laws of the water.
+/// The same for the laws of the water.
 void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   const auto is_written = [&](const char* key) { return source.tree["hydrodynamics"][key].node() != nullptr; };
   model::HydrodynamicsSection& h = c.hydrodynamics;

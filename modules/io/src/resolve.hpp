@@ -8,7 +8,7 @@
 
 namespace brash::io {
 
-/// Whether the files of [field] are there: those of a recorded case need not be.
+/// Whether the files of [field] are there: the files of a recorded case need not be.
 enum class FieldFiles { kThere, kMayBeGone };
 
 /// The case that `source` describes, under `name`.

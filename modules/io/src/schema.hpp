@@ -31,7 +31,7 @@ class Schema {
   /// The preset of a document, by its name: the stated one, else the default; empty where the schema has none.
   std::string preset_of(const nlohmann::json& document) const;
   /// The schema of a key in a section whose key `kind` has this value: some kinds take fewer names than others, and
-  /// the first of them by default where the default is another's.
+  /// the first name by default where the default is another's.
   static OrderedJson of_kind(const OrderedJson& key_schema, const std::string& kind);
   /// The line that takes the place of a key with this name in earlier versions; "" without one.
   std::string successor(const std::string& section, const std::string& key) const;

@@ -157,7 +157,7 @@ bool take_units(Series& series, const std::vector<std::string_view>& cells) {
   return true;
 }
 
-/// Times that are written as dates: seconds after the first of them.
+/// Times that are written as dates: seconds after the first date.
 struct Dates {
   std::optional<double> first;
 

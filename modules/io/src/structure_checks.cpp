@@ -142,7 +142,7 @@ bool check_heights(const structure::Hull& hull, const HeightKeys& keys, double d
   return draught < under_water && freeboard < most.z;
 }
 
-/// A structure afloat keeps clear of the bed. Any other may stand in it.
+/// A structure afloat keeps clear of the bed. Any other may reach into it.
 void check_under_keel(const model::Case& c, const structure::Hull& hull, Checks& checks) {
   const bool floats = std::holds_alternative<model::Free>(c.structure.motion) ||
                       std::holds_alternative<model::Moored>(c.structure.motion);
@@ -279,7 +279,7 @@ bool check_rows(const model::Case& c, const std::vector<model::Waypoint>& path, 
 /// The structure begins its path beside the ice.
 void check_start(const model::Case& c, const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
   if (c.field.kind == model::FieldKind::kFloes) return;  // a field of floes keeps out of its way
-  if (model::has_ice_files(c.field)) return;             // the ice itself tells when it is laid
+  if (model::has_ice_files(c.field)) return;             // the ice itself reports it when it is laid
   const Pose start = structure::unresisted(c.structure, 0.0);
   const auto reach = [&](Vec2 way) { return structure::foremost(hull, start, -draught, freeboard, way).reach; };
   const bool beside = reach({1.0, 0.0}) < 0.0 || -reach({-1.0, 0.0}) > c.field.length ||

@@ -11,7 +11,7 @@
 
 namespace brash::io {
 
-/// Why a TOML value is no value of a case, and the remedy.
+/// Why a TOML value is not a value of a case, and the remedy.
 struct ValueError {
   std::string what;
   std::string remedy;

@@ -6,7 +6,7 @@
 
 namespace brash::io {
 
-/// Numbers of one unit in another. Units are linear in each other, so 0 and 1 tell all; `value` is converted at once.
+/// Numbers of one unit in another. Units are linear in each other, so 0 and 1 are enough; `value` is converted at once.
 struct InOtherUnit {
   double zero = 0.0, one = 0.0, value = 0.0;
 };

@@ -161,7 +161,7 @@ class Reader {
     }
   }
 
-  /// The value of the key `kind` of a section, its default where it is no known one; "" where there is no such key.
+  /// The value of the key `kind` of a section, its default where it is not a known one; "" where there is no such key.
   std::string kind_of(const std::string& section) const {
     if (!schema_.keys(section).contains("kind")) return "";
     const OrderedJson& kind = schema_.keys(section).at("kind");
@@ -171,7 +171,7 @@ class Reader {
     return known ? *written : kind.at("default").get<std::string>();
   }
 
-  /// Section and key of the key that another one stands for.
+  /// Section and key of the key that another one is short for.
   static std::pair<std::string, std::string> long_form(const OrderedJson& key_schema) {
     const std::string name = key_schema.value("x-short-for", "");
     const std::size_t dot = name.rfind('.');

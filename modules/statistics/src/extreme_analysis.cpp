@@ -15,9 +15,9 @@ namespace {
 constexpr std::array<Law, 5> kLaws{Law::kGumbel, Law::kGev, Law::kPareto, Law::kWeibull, Law::kRayleigh};
 constexpr double kRejected = 0.05;           // p below which a law does not fit
 constexpr double kLightestShape = -0.5;      // of a regular likelihood
-constexpr std::size_t kFewestForShape = 30;  // maxima that tell a shape
+constexpr std::size_t kFewestForShape = 30;  // maxima, to estimate a shape
 constexpr std::size_t kFewestMaxima = 10;    // for a level
-constexpr std::size_t kEnoughEvents = 55;    // for ten blocks of five load cycles, some of them cut at the ends
+constexpr std::size_t kEnoughEvents = 55;    // for ten blocks of five load cycles, with some cut at the ends
 constexpr double kPeaksCorrelated = 0.3;     // successive peaks are then far from independent
 
 const std::vector<double>& values_for(Law law, const ExtremeValues& values) {
@@ -81,7 +81,7 @@ ExtremeEstimate estimate(Law law, const ExtremeValues& v, const ExtremeSettings&
   return out;
 }
 
-/// Far beyond the record the interval of a level may have no upper end; who extrapolates is told so.
+/// Far beyond the record the interval of a level may have no upper end; a user who extrapolates is informed of that.
 bool usable(const ExtremeEstimate& e, bool extrapolate) {
   return e.level && (extrapolate || std::isfinite(e.level->interval.upper)) && e.goodness.p_value >= kRejected;
 }

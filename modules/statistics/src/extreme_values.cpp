@@ -68,7 +68,7 @@ void add_over(const std::vector<LoadEvent>& events, ExtremeValues& values) {
   }
 }
 
-/// Largest value of each whole block of an uneven piece. As in an even one, its last sample stands for a step.
+/// Largest value of each whole block of an uneven piece. As in an even one, its last sample represents a step.
 void add_maxima_by_time(std::span<const double> times, std::span<const double> piece, double step,
                         ExtremeValues& values) {
   constexpr double kRounding = 1e-6;  // of a step

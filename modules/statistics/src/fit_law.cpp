@@ -16,7 +16,7 @@
 namespace brash::statistics {
 namespace {
 
-constexpr std::size_t kFewest = 10;  // values; fewer do not tell two parameters
+constexpr std::size_t kFewest = 10;  // values; fewer do not determine two parameters
 constexpr double kLightest = -0.5;   // shape at which the likelihood of GEV and Pareto stops being regular
 constexpr double kHeaviest = 1.0;    // shape from which on the mean is infinite
 constexpr double kForbidden = 1e10;  // cost outside the support

@@ -15,7 +15,7 @@ struct SimplexMinimum {
 /// Minimum of `cost` from `start` on, to the size `tolerance` of the simplex.
 ///
 /// @param start  shape=(n,), n >= 1.
-/// @param step   size of the first simplex, likewise in each direction.
+/// @param step   size of the first simplex, the same in each direction.
 SimplexMinimum find_simplex_minimum(const std::function<double(const std::vector<double>&)>& cost,
                                     std::vector<double> start, double step, double tolerance);
 

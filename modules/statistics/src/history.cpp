@@ -84,7 +84,7 @@ void keep_nominal_step(const std::vector<double>& times, double median, EvenHist
   if (even.sampling.n_lost > 0) even.sampling.step = step;
 }
 
-/// Pieces of one sample, which tell nothing about a grid.
+/// Pieces of one sample, which show nothing about a grid.
 std::size_t n_single(const EvenHistory& even) {
   std::size_t n = 0;
   for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p) n += even.cuts[p + 1] == even.cuts[p] + 1 ? 1 : 0;

@@ -19,7 +19,7 @@ namespace brash::statistics {
 namespace {
 
 constexpr std::size_t kExactKendall = 33;    // pairs; beyond, the normal approximation is good to three digits
-constexpr double kExactJonckheere = 5000.0;  // pairs of different groups of all strata, likewise; five groups of 22
+constexpr double kExactJonckheere = 5000.0;  // pairs of different groups of all strata, as above; five groups of 22
 
 double two_sided_normal(double z) { return std::min(1.0, 2.0 * gsl_cdf_ugaussian_Q(std::abs(z))); }
 

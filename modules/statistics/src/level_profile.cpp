@@ -141,7 +141,7 @@ class LevelProfile {
   /// Minus the mean log likelihood of level x at the best scale and shape.
   double cost(double x) {
     if (best_.law == Law::kGumbel || best_.law == Law::kRayleigh) return cost(x, shape_);
-    const double limit = std::log(1e-2);  // of Weibull's shape, likewise 1e4
+    const double limit = std::log(1e-2);  // of Weibull's shape; the upper limit is for 1e4
     const bool weibull = best_.law == Law::kWeibull;
     struct Line {
       LevelProfile& profile;

@@ -41,7 +41,7 @@ LongTerm::LongTerm(const std::vector<IceState>& states, double rarest, double co
 
 double LongTerm::Curve::exceedances(const std::vector<double>& levels, double x) const {
   if (x <= levels.front()) return a_year;
-  // Beyond the last point the curve goes on straight.
+  // Beyond the last point the curve continues straight.
   const auto above = static_cast<std::size_t>(std::ranges::lower_bound(levels, x) - levels.begin());
   const std::size_t i = std::min(above, levels.size() - 1);
   const double width = levels[i] - levels[i - 1];

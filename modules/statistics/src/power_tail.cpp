@@ -13,7 +13,7 @@
 namespace brash::statistics {
 namespace {
 
-constexpr std::size_t kFewest = 50;  // sizes; Clauset, Shalizi and Newman find fewer to tell nothing
+constexpr std::size_t kFewest = 50;  // sizes; Clauset, Shalizi and Newman find that fewer show nothing
 constexpr std::size_t kFewestInTail = 10;
 constexpr double kSteepest = 1e6;  // exponent of a tail of equal sizes
 

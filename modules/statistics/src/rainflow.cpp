@@ -68,7 +68,7 @@ struct Sums {
   }
 };
 
-/// The ranges of whole cycles and the largest of them.
+/// The ranges of whole cycles and the largest ranges.
 struct RangeTail {
   std::vector<double> ranges;  ///< sorted, without the small ones, such as of noise
   double threshold = 0.0;

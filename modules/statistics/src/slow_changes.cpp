@@ -10,7 +10,7 @@ namespace brash::statistics {
 namespace {
 
 constexpr double kStretchInCycles = 5.0;      // shorter stretches leave too much of the cycles in the averages
-constexpr std::size_t kFewestStretches = 20;  // fewer tell no autocorrelation time
+constexpr std::size_t kFewestStretches = 20;  // fewer give no autocorrelation time
 constexpr double kInErrors = 2.0;             // of the averages' time: less would take chance for a slow change
 
 /// Averages over whole stretches of `length` samples, piece by piece.

@@ -5,7 +5,7 @@
 
 namespace brash::statistics {
 
-/// Summary of samples that stand for the times `weights` [s]; shape=(n,), or (1,) when all are equal.
+/// Summary of samples that represent the times `weights` [s]; shape=(n,), or (1,) when all are equal.
 Summary summarise_weighted(std::span<const double> samples, std::span<const double> weights,
                            const AutocorrelationTime& correlation);
 

@@ -88,7 +88,8 @@ CampaignPlan read_campaign_plan(const std::string& path, const PlanOptions& opti
 /// The JSON Schema of a plan.
 std::string plan_schema();
 
-/// Warning of a case whose numbers are those of an earlier replicate to the last digit. Statistics count both once.
+/// Warning of a case whose numbers equal the numbers of an earlier replicate to the last digit. Statistics count both
+/// once.
 inline constexpr const char* kRepeated = "same-as-a-replicate";
 
 }  // namespace brash::io

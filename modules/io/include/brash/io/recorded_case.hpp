@@ -8,7 +8,7 @@
 namespace brash::io {
 
 /// As parse_case() for a case that a run has recorded, in a run.nc or a checkpoint. The files of [field] may be gone,
-/// and a checkpoint leaves out their names; so nothing asks for these files, or for the keys that stand in their place.
+/// and a checkpoint leaves out their names; so nothing asks for these files, or for the keys that replace them.
 model::Case parse_recorded_case(const std::string& text, const std::string& path,
                                 const std::vector<std::string>& overrides, ModelFile model_file);
 

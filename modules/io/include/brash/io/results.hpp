@@ -23,7 +23,7 @@ void write_history(const std::string& directory, const model::RunResults& result
 /// @throws InputError naming the file and the missing part, or the value that cannot have come from a run.
 model::RunResults read_results(const std::string& path);
 
-/// The resolved case in a run.nc, as to_toml() wrote it. @throws InputError likewise.
+/// The resolved case in a run.nc, as to_toml() wrote it. @throws InputError as read_results() does.
 std::string read_case_of(const std::string& path);
 
 /// The values that can differ between two equal runs of one case.

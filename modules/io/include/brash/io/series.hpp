@@ -43,9 +43,9 @@ struct Series {
 ///
 /// Text: numbers separated by semicolons, tabs, commas or blanks, the first of these that the first line holds; an
 /// optional first line of names (without it the names are 1, 2, ...); lines that begin with # are skipped. A title
-/// above the names is left out with a note. Cells may stand in quotes. Between semicolons or tabs the decimal mark may
+/// above the names is left out with a note. Cells may be in quotes. Between semicolons or tabs the decimal mark may
 /// be a comma; one mark in the whole file. An empty cell, `nan`, `NaN`, `NA` or `-` is missing. A name may have a unit
-/// in brackets, `time [ms]`, `Fx (kN)`, between blanks too, or at its end, `time_ms`, `Fx_kN`; or the units stand in a
+/// in brackets, `time [ms]`, `Fx (kN)`, between blanks too, or at its end, `time_ms`, `Fx_kN`; or the units are in a
 /// line of their own under the names. Times: the column named `time`, `t` or the like, capitals or not; else the first
 /// of several, when it has a unit of time or the table has no names. Dates such as 2024-02-01T12:00:00 count in seconds
 /// from the first row on.
@@ -62,7 +62,7 @@ Series read_series(const std::string& path);
 
 /// Seconds in a unit such as "ms" or "hours since 2024-01-01"; empty: 1.
 /// @param place  for the message.
-/// @throws InputError when it is no unit of time.
+/// @throws InputError when it is not a unit of time.
 double seconds_in(const std::string& unit, const std::string& place);
 
 }  // namespace brash::io

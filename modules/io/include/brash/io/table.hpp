@@ -16,7 +16,7 @@ struct TableColumn {
   std::vector<double> values;
 };
 
-/// A column of whole numbers that stand for names: number i is `flags[i]` where flags are given.
+/// A column of whole numbers that represent names: number i is `flags[i]` where flags are given.
 struct TableIndex {
   std::string name;
   std::string meaning;

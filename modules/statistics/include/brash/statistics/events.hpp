@@ -67,8 +67,8 @@ struct Clipping {
 ///
 /// The flat top of a load event is its longest run of samples at its peak. Rounded values have flat tops too. The
 /// sensor clips if one flat top at the largest value has five samples and three times the median flat top of the lower
-/// events, or if two of them have two samples and twice the median. A constant history is not clipped. Neither is a
-/// history whose largest value is 0.
+/// events, or if two such flat tops have two samples and twice the median. A constant history is not clipped. Neither
+/// is a history whose largest value is 0.
 /// @see docs/theory/statistics.md, Load events.
 std::optional<Clipping> clipping(const History& history, const EvenHistory& even);
 

@@ -95,7 +95,7 @@ std::string correlation_warning(const ExtremeValues& values);
 
 /// Fits each law, tests it, and gives the level that is exceeded once in the return period on average.
 ///
-/// A record that cannot bear the question gets no level. docs/theory/statistics.md has the rules and their coverage.
+/// A record that cannot answer the question gets no level. docs/theory/statistics.md has the rules and their coverage.
 /// @param goodness  tests the laws; the next call reuses its samples.
 ExtremeAnalysis analyse_extremes(ExtremeValues values, const ExtremeSettings& settings, GoodnessOfFit& goodness);
 

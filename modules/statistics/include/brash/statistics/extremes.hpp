@@ -45,7 +45,7 @@ struct GeneralisedPareto {
   std::vector<double> excesses;  ///< it was fitted to, unit of the load; shape=(n,)
 };
 
-/// Maximum-likelihood fit to the independent peaks above `threshold`; at least 10 of them.
+/// Maximum-likelihood fit to the independent peaks above `threshold`; at least 10 peaks.
 ///
 /// The likelihood is reduced to one variable (Grimshaw, 1993). Only maxima with xi > -0.5 count, where the likelihood
 /// is regular; when there is none, the fit fails; docs/theory/statistics.md, (S6).

@@ -39,13 +39,13 @@ struct Sampling {
 /// A history cut at its gaps and made even.
 struct EvenHistory {
   Sampling sampling;
-  /// Time that each sample stands for [s]; shape=(n,) of the history, or (1,) where it is even.
+  /// Time that each sample represents [s]; shape=(n,) of the history, or (1,) where it is even.
   std::vector<double> weights;
   std::vector<std::size_t> cuts;               ///< first sample of each piece, and n
   std::vector<std::vector<double>> resampled;  ///< values every `sampling.step` of each piece; none where even
   double duration = 0.0;                       ///< sum of the weights [s]
 
-  /// Time that a sample stands for [s].
+  /// Time that a sample represents [s].
   double weight(std::size_t sample) const { return weights[weights.size() == 1 ? 0 : sample]; }
   /// Values every `sampling.step`, piece by piece: of an even history its samples themselves.
   Pieces pieces(const History& history) const;
@@ -53,7 +53,7 @@ struct EvenHistory {
 
 /// Cuts a history at its gaps and resamples the uneven pieces.
 ///
-/// A gap is an interval longer than `longest_interval`. A sample stands for half of the interval on either side, for
+/// A gap is an interval longer than `longest_interval`. A sample represents half of the interval on either side, for
 /// half a step where there is a gap or an end. An uneven piece is interpolated linearly, which lowers its spectrum
 /// above about a fifth of the sampling frequency; an even one is taken as it is.
 ///
@@ -70,7 +70,7 @@ std::string gap_warning(const History& history, const EvenHistory& even);
 ///
 /// The window of the samples may close within a load cycle, where the autocorrelations of a sawtooth cancel. It misses
 /// slower changes then, such as a drift of the peaks. Averages over m samples have the time
-/// tau_m var(averages) / var(samples). They count if there are at least twenty of them in the longest piece.
+/// tau_m var(averages) / var(samples). They count if there are at least twenty averages in the longest piece.
 /// @see docs/theory/statistics.md, (S2), (S17); H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91 (1989) 461.
 AutocorrelationTime autocorrelation_time(const History& history, const EvenHistory& even);
 

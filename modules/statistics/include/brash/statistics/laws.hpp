@@ -63,8 +63,8 @@ Estimate level_with_interval(const LawFit& fit, double exceedance, double confid
 
 /// Anderson and Darling's test that values follow the law that was fitted to them.
 ///
-/// The statistic of simulated samples, fitted likewise, gives p. It depends on the law, its shape and the number of
-/// values alone. So samples are simulated once for each law, shape to 0.1 and number up to 100, and kept.
+/// The statistic of simulated samples, fitted in the same way, gives p. It depends on the law, its shape and the
+/// number of values alone. So samples are simulated once for each law, shape to 0.1 and number up to 100, and kept.
 class GoodnessOfFit {
  public:
   /// @see docs/theory/statistics.md, (S11).

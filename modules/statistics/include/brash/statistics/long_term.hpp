@@ -16,8 +16,8 @@ struct IceState {
 
 /// Expected number of exceedances of a level, a year, over several states of the ice; with 95 % bounds.
 ///
-/// N(x) = sum of 3600 hours rate exceedance(x). The bounds add those of each state, from the profile likelihood of its
-/// levels: of one state its own, and wide for several. Bounds are interpolated between 64 levels.
+/// N(x) = sum of 3600 hours rate exceedance(x). The bounds add the bounds of each state, from the profile likelihood of
+/// its levels: of one state its own, and wide for several. Bounds are interpolated between 64 levels.
 /// @see ISO 19906:2019, 7.2.2 (probabilities of environmental actions); docs/theory/statistics.md, (S14).
 class LongTerm {
  public:

@@ -21,7 +21,7 @@ struct Moments {
 /// @param samples  shape=(n,), n >= 2, finite.
 Moments moments(std::span<const double> samples);
 
-/// Moments of samples that stand for different times: sums over samples become weighted ones, and the variance keeps
+/// Moments of samples that represent different times: sums over samples become weighted ones, and the variance keeps
 /// its factor n/(n - 1). Equal weights give the moments above.
 ///
 /// @param weights  shape=(n,), or (1,) when all are equal; > 0.

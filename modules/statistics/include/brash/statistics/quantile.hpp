@@ -10,7 +10,7 @@ namespace brash::statistics {
 /// @return shape=(n_levels,); empty when there are no values.
 std::vector<double> quantiles(std::vector<double> values, std::span<const double> levels);
 
-/// Quantiles of values that stand for different times. The k-th smallest value has the level
+/// Quantiles of values that represent different times. The k-th smallest value has the level
 /// C_k/C_n, C_k = sum_{j=2}^{k} (w_{j-1} + w_j)/2; linear between. Equal weights give the quantiles above.
 ///
 /// @param weights  > 0; shape=(n,) as values, or (1,) when all are equal.

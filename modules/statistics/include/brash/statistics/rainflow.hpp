@@ -68,7 +68,7 @@ inline constexpr double kMostUnseen = 0.1;
 /// Resamples of a record hold no cycle larger than any seen, so the upper end of damage_rate_interval() may be too low.
 /// The damage below a threshold is taken as seen. The damage above it is of an exponential tail, whose scale is at the
 /// upper end of its exact interval; the Poisson error of the number of cycles adds in quadrature.
-/// @return infinity when the largest ranges have a heavier tail at the confidence, or there are too few of them.
+/// @return infinity when the largest ranges have a heavier tail at the confidence, or are too few.
 /// @see docs/theory/statistics.md, (S15).
 double largest_damage_ratio(std::span<const Cycle> cycles, double exponent, double confidence);
 

@@ -9,7 +9,7 @@ namespace brash::statistics {
 
 /// A stream of random numbers keyed by its purpose: the same key gives the same numbers, in any order of creation.
 ///
-/// Generator: three of GSL's `ranlxd2` (Luescher, 48 bits), added modulo 1. One of them takes a seed of 31 bits only,
+/// Generator: three of GSL's `ranlxd2` (Luescher, 48 bits), added modulo 1. One alone takes a seed of 31 bits only,
 /// so among 50 000 streams two would be likely to coincide; three take 93 bits, and two of 10^9 streams coincide with a
 /// chance of 5e-11. The seeds are taken from the SHA-256 of the whole key, whose texts are written with their lengths.
 class RandomStream {

@@ -28,7 +28,7 @@ struct SizeFit {
   Estimate scale;
   /// The deviation of ln(size), Weibull's shape, or the exponent of the density, > 1 [-].
   Estimate shape;
-  std::size_t n = 0;  ///< sizes it was fitted to: all, or those of the tail
+  std::size_t n = 0;  ///< sizes it was fitted to: all, or the sizes of the tail
   /// Anderson and Darling's test, or Kolmogorov and Smirnov's of the tail.
   TestResult goodness;
 
@@ -36,7 +36,7 @@ struct SizeFit {
   double exceedance(double size) const;
 };
 
-/// How a tail is judged.
+/// How a tail is evaluated.
 struct TailSettings {
   std::size_t n_resamples = 500;      ///< of the goodness of fit, and of the intervals
   std::size_t most_candidates = 100;  ///< for the least size of the tail, spread evenly over the sorted sizes
@@ -56,7 +56,8 @@ tl::expected<SizeFit, FitError> fit_weibull_sizes(std::span<const double> sizes,
 /// The tail above the least size from which on a power law fits best, after Clauset, Shalizi and Newman.
 ///
 /// The least size minimises Kolmogorov and Smirnov's distance. Intervals are percentiles of the bootstrap, the choice
-/// of the least size in it. The p-value counts simulated samples, chosen and fitted likewise, that lie farther off.
+/// of the least size in it. The p-value counts simulated samples, chosen and fitted in the same way, that lie farther
+/// off.
 /// @param sizes  > 0; at least 50, of which the tail keeps at least 10.
 /// @see A. Clauset, C. R. Shalizi, M. E. J. Newman, SIAM Review 51 (2009) 661; docs/theory/ice.md, (D5), (D6).
 tl::expected<SizeFit, FitError> fit_power_tail(std::span<const double> sizes, const TailSettings& settings = {});

@@ -37,7 +37,7 @@ struct SpectrumComparison {
   std::vector<double> ratio;      ///< density of a over density of b, shape=(n,)
   Interval band;                  ///< ratios of two estimates of one density lie in it, at the stated confidence
   double outside = 0.0;           ///< share of the lines whose ratio does not, about 1 - confidence for one density
-  /// Likewise when both have the same variance over these lines: only the shape is compared.
+  /// The same share when both have the same variance over these lines: only the shape is compared.
   double shape_outside = 0.0;
   double shape_correlation = 0.0;  ///< of the logarithms of the densities
   double mean_frequency_a = 0.0;   ///< density-weighted [Hz]
