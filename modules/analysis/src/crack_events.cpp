@@ -73,7 +73,8 @@ class Row {
   double metres_from(std::size_t column, const geometry::Decimal& zero) const {
     const double value = number<double>(column, fields_[column], "a number of metres");
     const auto decimal = geometry::Decimal::parse(fields_[column]);
-    return decimal ? (*decimal - zero).nearest_double() : value;  // what is no decimal lies outside of every circle
+    // A number that is not a decimal lies outside of every circle.
+    return decimal ? (*decimal - zero).nearest_double() : value;
   }
 
   CrackEvent event(const geometry::Origin& origin) const {

@@ -29,7 +29,8 @@ ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings
     records.push_back({&load.history, &load.even, memory, load.clipping});
   }
   ExtremeValues values = extreme_values(records, settings);
-  // Whether the record can bear a period is judged for each period. The law is chosen at the longest that it can bear.
+  // Whether the record can support a period is checked for each period. The law is chosen at the longest period that it
+  // can support.
   if (!settings.extrapolate)
     settings.return_period = std::min(settings.return_period, kLongestPeriod * values.duration);
   return analyse_extremes(std::move(values), settings, goodness);
@@ -133,7 +134,7 @@ void add_years(const DesignSettings& asked, Design& design) {
   }
 }
 
-/// Equivalent loads over the hours of all states; their bounds add those of the states, which is wide.
+/// Equivalent loads over the hours of all states; their bounds add the bounds of the states, which is wide.
 ordered_json fatigue_of_years(const ordered_json& settings, const DesignSettings& asked) {
   ordered_json out = ordered_json::array();
   for (std::size_t i = 0; i < asked.exponents.size(); ++i) {

@@ -30,7 +30,7 @@ constexpr double kConfidence = 0.95;
 
 ordered_json interval(const statistics::Interval& i) { return {i.lower, i.upper}; }
 
-constexpr std::size_t kFewestReplicates = 3;  // whose spread tells an error
+constexpr std::size_t kFewestReplicates = 3;  // whose spread gives an error
 
 /// A number of each history, as the summary of independent values.
 Summary over_replicates(const Samples& values) {
@@ -60,7 +60,7 @@ Summary peak_summary(const Samples& peaks, const Summary& of) {
   Summary s;
   s.n = m.n;
   s.mean = m.mean;
-  // Peaks of one height count as one: their mean is as uncertain as the mean that they stand on.
+  // Peaks of one height count as one: their mean is as uncertain as the mean above which they are taken.
   s.effective_sample_size = std::max(1.0, m.variance / of_mean);
   s.standard_deviation = std::sqrt(s.effective_sample_size * of_mean);
   return s;
@@ -81,7 +81,7 @@ struct Side {
   LoadHistory all;
   std::size_t histories = 1;
   Summary load;                        ///< of all samples
-  Summary mean;                        ///< of the mean, likewise below
+  Summary mean;                        ///< of the mean, also below
   Summary squares;                     ///< of the squared deviations
   statistics::Interval of_replicates;  ///< of the mean, of several histories
   Samples peaks;                       ///< of load events

@@ -21,7 +21,7 @@
 namespace brash::analysis {
 namespace {
 
-/// Refuses a name that several columns have: the first of them would be a guess.
+/// Refuses a name that several columns have: the first column would be a guess.
 /// @param spelled  the heads of the series, or its names without their units.
 void refuse_doubled(const io::Series& series, const std::string& path, const std::vector<std::string>& spelled,
                     const std::string& name) {
@@ -62,7 +62,7 @@ void require_rising(const io::Series& series, const std::vector<double>& times) 
   }
 }
 
-/// Beyond these a sum of squares is no number any more, or a time no time.
+/// Beyond these a sum of squares is not a number any more, or a time not a time.
 void require_ordinary(const io::Series& series, std::size_t column) {
   constexpr double kMostLoad = 1e30;   // in the unit of the column
   constexpr double kMostTime = 1e12;   // [s]
@@ -82,7 +82,7 @@ void require_ordinary(const io::Series& series, std::size_t column) {
   }
 }
 
-/// A file whose name says that it is no history gets no line of it blamed.
+/// A file whose name says that it is not a history gets no line of it blamed.
 void refuse_other_files(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr std::array<std::string_view, 5> kOthers{".toml", ".json", ".html", ".svg", ".wkt"};
@@ -93,7 +93,7 @@ void refuse_other_files(const std::string& path) {
 }
 
 /// With a time step the file is one without times, and all its columns are loads. The first of several columns without
-/// names may be of times, and is no load by default.
+/// names may be of times, and is not a load by default.
 void leave_times_to_step(io::Series& series, const std::string& path, const std::vector<std::string>& wanted) {
   if (!series.time) return;
   const std::string& head = series.heads[*series.time];

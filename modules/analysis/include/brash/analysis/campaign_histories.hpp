@@ -40,7 +40,7 @@ bool is_repeated(const TextTable& table, const TextTable::Row& row);
 ///
 /// @param choice  its `from`, where given, takes the place of `statistics_from` in the summary of each run.
 /// @param where   only settings whose name matches, such as "angle-50deg_*"; empty: all.
-/// @throws InputError when the folder is no campaign, keeps no histories, or no setting matches.
+/// @throws InputError when the folder is not a campaign, keeps no histories, or no setting matches.
 std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
                                                       const std::string& where);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed forms for the numbers of a case, beside those of closed_forms.hpp.
+// Closed forms for the numbers of a case, beside the forms in closed_forms.hpp.
 #pragma once
 
 #include <optional>

@@ -43,14 +43,14 @@ std::vector<CrackEvent> read_crack_events(const std::string& name, const std::st
 class CrackRun {
  public:
   /// @param sheet     of all features of the kind sheet.
-  /// @param features  of the map; each floe is simple by itself, and floes may overlap.
+  /// @param features  of the map; each floe is simple on its own, and floes may overlap.
   CrackRun(geometry::IceSheet sheet, const std::vector<geometry::Feature>& features);
 
   /// @return whether it cut ice, here and below.
   bool apply(const CrackEvent& event, int sides);
   bool apply(const geometry::Polygon& cutter);
-  /// Splits all ice along the cracks, that of the floes too. Every part becomes a floe; polygons with a common edge
-  /// stay apart there.
+  /// Splits all ice along the cracks, the ice of the floes too. Every part becomes a floe; polygons with a common
+  /// edge stay apart there.
   void apply(std::span<const geometry::Crack> cracks);
   void release();
 
@@ -65,7 +65,7 @@ class CrackRun {
  private:
   /// The edges of the given polygons, if some have a common edge: the sheet of all has closed it.
   std::vector<geometry::Crack> seams() const;
-  /// Cuts each floe by itself; a floe that stays whole stays as it is.
+  /// Cuts each floe on its own; a floe that stays whole stays as it is.
   void split_floes(std::span<const geometry::Crack> cracks);
   void add_floe(geometry::Feature floe);
   /// @param like  floe whose properties the pieces keep.

@@ -16,7 +16,7 @@ namespace brash::analysis {
 nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured);
 
 /// The same of several histories a side, such as the replicates of a campaign. The histories of a side are independent,
-/// so their spread gives the errors, not the correlation within one of them.
+/// so their spread gives the errors, not the correlation within one history.
 nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs,
                                          const std::vector<LoadHistory>& measured);
 

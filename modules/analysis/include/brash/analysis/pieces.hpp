@@ -27,10 +27,10 @@ struct PieceSizes {
 ///              names none, all its polygons.
 /// @param born  of a run: every floe that was ever born, also those that are gone.
 /// @param notes hears which content of a map was left out.
-/// @throws InputError for a file that is no such thing, or without pieces.
+/// @throws InputError for a file that is not a run or a map, or without pieces.
 PieceSizes read_piece_sizes(const std::string& path, bool born, const io::Notes& notes = {});
 /// The sizes of polygons.
-/// @throws InputError for a polygon without area, or one that is not simple by itself.
+/// @throws InputError for a polygon without area, or one that is not simple on its own.
 PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const std::string& source);
 
 /// Size distribution with its fits; docs/theory/ice.md.

@@ -63,7 +63,7 @@ class NetThrust {
 /// Means
 ///   are joined by straight lines, and nothing is extrapolated.
 ///
-/// @throws InputError when `campaign` is no finished campaign of a ship, or varies other keys.
+/// @throws InputError when `campaign` is not a finished campaign of a ship, or varies other keys.
 nlohmann::ordered_json resistance_of(const std::string& campaign, const std::optional<NetThrust>& thrust,
                                      double at_speed);
 

@@ -23,7 +23,7 @@ struct AlgorithmSection {
 /// [ice.variation]
 struct IceVariation {
   double thickness = 0.0;           ///< coefficient of variation [-]
-  double flexural_strength = 0.0;   ///< likewise
+  double flexural_strength = 0.0;   ///< coefficient of variation [-]
   double correlation_length = 0.0;  ///< 0: ten thicknesses
 
   friend bool operator==(const IceVariation&, const IceVariation&) = default;
@@ -71,7 +71,7 @@ struct FloeSizes {
   SizeLaw kind = SizeLaw::kPowerLaw;
   double exponent = 2.0;            ///< of the power law: the number of floes above L falls as L^-exponent
   std::optional<double> least{};    ///< size of the power law
-  std::optional<double> largest{};  ///< likewise
+  std::optional<double> largest{};  ///< size of the power law
   std::optional<double> median{};   ///< size of the log-normal law
   double deviation = 0.4;           ///< of the logarithm of its sizes
   std::vector<double> values{};     ///< of the list, each as likely as the others

@@ -41,7 +41,7 @@ struct Table {
   friend bool operator==(const Table&, const Table&) = default;
 };
 
-/// Everything that a run needs to go on as if it had not been interrupted. Nothing in it is rounded.
+/// Everything that a run needs to continue as if it had not been interrupted. Nothing in it is rounded.
 ///
 /// Each owner of state saves its members in tables of its own and restores itself from them. Files know tables only.
 struct Checkpoint {

@@ -17,9 +17,9 @@ struct EnergyLosses {
   double bending = 0.0;             ///< the structure's work that bends the sheet's edge, where it moves
   double structure_contact = 0.0;   ///< normal forces between floes and structure: crushing and impact
   double structure_friction = 0.0;  ///< slip between floes and structure
-  double sheet_contact = 0.0;       ///< likewise between floes and the fixed sheet
+  double sheet_contact = 0.0;       ///< as structure_contact, between floes and the fixed sheet
   double sheet_friction = 0.0;
-  double floe_contact = 0.0;  ///< likewise between floes
+  double floe_contact = 0.0;  ///< as structure_contact, between floes
   double floe_friction = 0.0;
   double drag = 0.0;           ///< form and rotational drag; negative where a current pushes
   double skin_friction = 0.0;  ///< of the water; negative where a current pulls
@@ -158,7 +158,7 @@ struct LoadRow {
   double area_brash = 0.0;
   double area_snap = 0.0;
   int n_floes = 0;
-  int n_contacts = 0;   ///< points at which floes bear on the structure
+  int n_contacts = 0;   ///< points at which floes press on the structure
   Vec2 structure{};     ///< place of the structure's origin [m]
   Vec2 velocity{};      ///< of it, mean over the step [m/s]
   double height = 0.0;  ///< of that origin above the water's surface [m]
@@ -199,7 +199,7 @@ struct CrackEvent {
   double edge_age = 0.0;           ///< since the structure touched the edge first; 0 where it does not move [s]
   double edge_deflection = 0.0;    ///< as the edge is pushed; 0 where it does not move [m]
   double thickness = 0.0;          ///< of the ice at the contact [m]
-  double flexural_strength = 0.0;  ///< likewise [Pa]
+  double flexural_strength = 0.0;  ///< of the ice at the contact [Pa]
   double overload = 0.0;           ///< loads over those at which the ice just fails; 0: not known
 
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
@@ -299,7 +299,7 @@ struct SheetSolves {
   int cubic = 0;             ///< solutions with cubic elements
   int split = 0;             ///< of both, of a sheet that a radial crack has split
   int without_edge = 0;      ///< contacts that no free edge faces: the trapezoid took its place
-  int unsolved = 0;          ///< sheets that could not be solved: likewise
+  int unsolved = 0;          ///< sheets that could not be solved: the trapezoid took their place
   int split_unsolved = 0;    ///< split sheets that could not be solved: the verdict is of the whole one
   int holding_together = 0;  ///< verdicts above the strength without a crack that cuts B off: no break
 

@@ -19,7 +19,7 @@ struct Cone {
   double height = 0.0;                      ///< from keel to top
   double height_under_water = 0.0;          ///< from keel to waterplane
   Breaking breaking = Breaking::kDownward;  ///< downward: narrower below; upward: narrower above
-  int facets = 64;                          ///< plane sides that stand for the round surface in contacts
+  int facets = 64;                          ///< plane sides that represent the round surface in contacts
 
   friend bool operator==(const Cone&, const Cone&) = default;
 };

@@ -5,7 +5,7 @@
 
 namespace brash::model {
 
-/// Input that is legal and looks wrong, or a result that cannot bear its use. It follows the result everywhere.
+/// Input that is legal and looks wrong, or a result that cannot support its use. It follows the result everywhere.
 /// docs/reference/warnings.md lists each with the input that triggers it and its source.
 struct Warning {
   std::string id;    ///< short name for tables: `flexural-strength`
