@@ -8,7 +8,7 @@
 namespace brash::campaign {
 
 /// The numbers of a run's summary (JSON text) by their columns' names.
-/// @throws InputError naming `path` when the text is no JSON.
+/// @throws InputError naming `path` when the text is not JSON.
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary);
 
 /// The same text for runs with the same numbers to the last digit, and another one for any others.

@@ -13,7 +13,7 @@
 
 namespace brash::campaign {
 
-/// Where a case stands in its campaign.
+/// Which case of its campaign a case is.
 struct CaseKey {
   std::size_t setting = 0;
   int replicate = 0;
@@ -43,7 +43,7 @@ class Folder {
   ///         is false, or when there are files of something else, or links.
   void prepare(bool resume);
   /// Removes the done cases of the plan that are not as this campaign made them, so that they are run again.
-  /// @param unfit  is told of each before it goes.
+  /// @param unfit  is called with a message for each of these cases before it is removed.
   void remove_unfit(const std::function<void(const std::string& what)>& unfit) const;
   /// The plan's files, as prepare() hashed them.
   const std::vector<CopiedFile>& copied_files() const { return copies_.value().files(); }
@@ -59,7 +59,7 @@ class Folder {
   std::optional<Copies> copies_;
 };
 
-/// The bytes of a file; "" when it is none, or cannot be read.
+/// The bytes of a file; "" when the path is not a file, or cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace brash::campaign

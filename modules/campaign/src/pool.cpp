@@ -181,7 +181,7 @@ void keep_state(const Job& job, std::string& error) {
     error.replace(at, left.size(), kept);
 }
 
-/// Writes down that a job failed by itself, and removes its files except its state.
+/// Writes down that a job failed on its own, and removes its files except its state.
 void record_failure(const Job& job, const Exit& exit, std::string error) {
   keep_state(job, error);
   nlohmann::ordered_json record{{"case", fs::path(job.record).stem().string()}, {"error", error}};
@@ -197,7 +197,7 @@ void judge(const Job& job, const Exit& exit, std::string error) {
   constexpr int kFromOutside[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
   if (exit == Exit{} || exit.code == kInterruptedExit || std::ranges::count(kFromOutside, exit.signal) > 0) return;
   if (exit.code == kStorageExit) {
-    // A disk may be too full for the worker's own words, which stand in a file beside its results.
+    // A disk may be too full for the worker's own words, which are in a file beside its results.
     if (error.empty())
       error = fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
                           job.folder.empty() ? job.messages : job.folder,

@@ -23,7 +23,8 @@ void refuse_if_in_queue(const std::string& directory) {
 
 /// A campaign's folder, locked and prepared, and its content.
 struct Opened {
-  /// @param unfit  is told of each done case that is not as the campaign made it, before it is removed.
+  /// @param unfit  is called with a message for each done case that is not as the campaign made it, before the case is
+  ///               removed.
   Opened(const Campaign& campaign, const std::function<void(const std::string& what)>& unfit)
       : lock(FolderLock::take_or_refuse(campaign.directory, "campaign.lock")),
         folder(campaign.plan, campaign.directory),

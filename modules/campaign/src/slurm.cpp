@@ -28,10 +28,10 @@ constexpr int kMostIdleRounds = 3;
 /// How long a controller may be away before a command to it has failed [s].
 constexpr int kPatience = 120;
 
-/// Runs its arguments as a command: the words of a command come as arguments, so none of them is read by a shell.
+/// Runs its arguments as a command: the words of a command come as arguments, so a shell reads none of these words.
 constexpr const char* kScript = "#!/bin/sh\nexec \"$@\"\n";
 
-/// The number of the Slurm job that this process is part of; "" when it is none.
+/// The number of the Slurm job that this process is part of; "" when it is not part of one.
 std::string own_job() {
   const char* const job = std::getenv("SLURM_JOB_ID");
   return job == nullptr ? "" : job;
@@ -139,8 +139,8 @@ std::vector<std::vector<Job>> read_list(const std::string& list_file) {
   return all;
 }
 
-/// In a collector: how many rounds in a row ended no job, neither done nor failed by itself, this time included. Their
-/// number alone does not tell: a stop rule adds others.
+/// In a collector: how many rounds in a row ended no job, neither done nor failed on its own, this time included. The
+/// number of jobs alone does not show this: a stop rule adds others.
 int idle_rounds(const std::string& folder, const Json& rounds) {
   if (rounds.empty() || rounds.back().at("collector") != own_job()) return 0;
   for (const std::vector<Job>& part : read_list(list_of_round(folder, rounds.size())))

@@ -294,7 +294,7 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }
 
-/// The warnings about a case; none about one of which nothing can be derived: it tells why when it runs.
+/// The warnings about a case; none about one of which nothing can be derived: it reports why when it runs.
 std::vector<model::Warning> warnings_about(const model::Case& resolved) {
   try {
     return simulation::derived_scales(resolved).warnings;
@@ -306,7 +306,7 @@ std::vector<model::Warning> warnings_about(const model::Case& resolved) {
 /// At most so many settings are looked at before a campaign: one takes about a tenth of a second.
 constexpr std::size_t kMostLookedAt = 32;
 
-/// The settings, or kMostLookedAt of them from the first to the last.
+/// All settings, or kMostLookedAt settings spread from the first to the last.
 std::vector<const io::Setting*> some_of(const std::vector<io::Setting>& settings) {
   const std::size_t n = std::min(settings.size(), kMostLookedAt);
   std::vector<const io::Setting*> some;
@@ -374,7 +374,7 @@ void run_campaign(const CampaignOptions& options) {
   refuse_options_of_slurm(options);
   campaign::Campaign campaign = campaign_of(options);
   const Counts before = campaign::count(campaign.plan, options.directory);
-  // Later on the table tells them.
+  // Later on the table shows the warnings.
   if (!options.tables && before.n_done + before.n_failed == 0) say_warnings(campaign.plan.settings);
   if (options.status) return print_status(before, options.json);
   if (options.tables) {

@@ -253,7 +253,7 @@ void fit_edges(const EdgeFiles& files) {
   auto of_test_whole = unseen(files.test, plans), of_test_split = unseen(files.test_split, plans);
   const auto model = failure::EdgeResponseModel::fit(samples, hashes);
   const std::string content = model.write(files.output);
-  // The model is judged as it will be read.
+  // The model is evaluated as it will be read.
   const auto written = failure::EdgeResponseModel::read(files.output);
   const Test whole = tested(written, std::move(of_test_whole)), split = tested(written, std::move(of_test_split));
 

@@ -34,7 +34,7 @@ void expect_no_thickness(const std::vector<PredictedRow>& rows, const std::strin
   }
 }
 
-/// The names of the models of edges at rest are no files.
+/// The names of the models of edges at rest are not files.
 void refuse_model_at_rest(const std::string& name) {
   if (!model::named<model::FailureModel>(name) || std::filesystem::exists(name)) return;
   throw InputError(Complaint{"--model " + name, "is a model of edges at rest, and a moving edge needs its own",

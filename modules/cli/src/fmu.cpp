@@ -38,7 +38,7 @@ std::string unit_library() {
                              "install the program again"});
 }
 
-/// Keys that depend on no other key: a host may set any of them within its range.
+/// Keys that depend on no other key: a host may set any such key within its range.
 bool stands_alone(const io::NumberKey& key) {
   const std::string name = key.section + "." + key.key;
   constexpr std::array kNames{"ice.youngs_modulus",       "ice.poisson_ratio",     "ice.flexural_strength",

@@ -69,7 +69,7 @@ void refuse_other_crs(const std::string& path, const std::string& crs, const She
                              "project one of the files (ogr2ogr -t_srs EPSG:CODE), or correct its crs"});
 }
 
-/// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
+/// Polygons without holes, each valid on its own, whose overlap with the sheet is cut out.
 std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& sheet) {
   const auto map =
       geometry::read_map(read_characters(path, "cutters (WKT or GeoJSON)", formats::kMostMebibytes), sheet.map.origin);

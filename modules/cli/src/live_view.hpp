@@ -11,7 +11,7 @@
 
 namespace brash::cli {
 
-/// A run that goes on, in a browser on this machine. It reads the run and changes nothing of it.
+/// A run in progress, shown in a browser on this machine. It reads the run and changes nothing of it.
 class LiveView {
  public:
   /// @throws RunError without a page, or when no server can be started.
@@ -23,7 +23,7 @@ class LiveView {
   /// The view must outlive the run.
   void watch(simulation::RunOptions& options);
 
-  /// Tells the browsers how the run ended, and lets them take the rest.
+  /// Shows the browsers how the run ended, and lets them take the rest.
   /// @param text  for the reader.
   void end(const std::string& text);
 

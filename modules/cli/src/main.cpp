@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   brash::cli::secure_streams();
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
   app.set_version_flag("--version", version_text());
-  app.require_subcommand(0, 1);  // a word that is none is then named
+  app.require_subcommand(0, 1);  // a word that is not a subcommand is then named
   app.footer("Example: brash run experiments/validation/cone.toml -o results/validation");
   app.failure_message(brash::cli::usage_error);
   brash::cli::add_run_command(app);

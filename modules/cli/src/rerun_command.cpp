@@ -121,7 +121,7 @@ class Changes {
     if (was != is) text_ += fmt::format("\n  {}\n    was {}\n    is  {}", escaped(what), printable(was), is);
   }
   bool any() const { return !text_.empty(); }
-  /// Refuses to go on from `manifest`; `anyway` prints the changes instead.
+  /// Refuses to continue from `manifest`; `anyway` prints the changes instead.
   void settle(const std::string& manifest, bool anyway) const {
     if (text_.empty()) return;
     if (anyway) return print("not what it was:{}\n", text_);
@@ -135,7 +135,7 @@ class Changes {
   std::string text_;
 };
 
-/// The model of the program that `input` was, by its name; empty: it was none.
+/// The model of the program that `input` was, by its name; empty: it was not one.
 std::string model_of_program(const Recorded& input, const model::Case& resolved) {
   if (!input.copy.empty()) return "";
   for (const std::string& model : failure::model_files(resolved.failure))

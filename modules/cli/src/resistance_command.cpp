@@ -47,7 +47,7 @@ void expect_grid(const ResistanceOptions& o) {
 }
 
 /// Writes the plan into the campaign's folder. The plan that is there stays if it is the same, or the campaign's own
-/// checks tell whether its cases fit.
+/// checks report whether its cases fit.
 void write_plan(ResistanceOptions& o) {
   expect_grid(o);
   const model::Case ship = io::read_case(o.input, o.run.overrides);

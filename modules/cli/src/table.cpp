@@ -68,7 +68,7 @@ std::string loads(const simulation::RunSummary& s) {
   return text + whole;
 }
 
-/// Where a ship, a mesh or a structure with legs bears the load.
+/// Where a ship, a mesh or a structure with legs takes the load.
 std::string regions(const simulation::RunSummary& s) {
   if (s.regions.empty()) return "";
   const TableUnit unit = load_unit(s);

@@ -124,7 +124,7 @@ std::vector<const database::Record*> solved_records(const database::Database& da
   return records;
 }
 
-/// Refuses a test database that would judge a model on plates that it has learned.
+/// Refuses a test database that would evaluate a model on plates that it has learned.
 void refuse_learned(const std::string& file, const database::Database& test,
                     const std::vector<plate::WedgePlate>& learned) {
   using Point = std::array<double, 4>;
@@ -141,7 +141,8 @@ void refuse_learned(const std::string& file, const database::Database& test,
       "solve a plan for the test whose `first` lies behind the points of the other plan"});
 }
 
-/// Judged on the test database; without one, a fit without every eleventh geometry is judged on these instead.
+/// Evaluates `model` on the test database; without one, evaluates a fit without every eleventh geometry on these
+/// geometries instead.
 std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::ProfileModel& model,
                                                               const std::vector<const database::Record*>& records,
                                                               const std::string& database_file,

@@ -40,13 +40,14 @@ struct Campaign {
   io::CampaignPlan plan;
   std::string plan_file;  ///< as given, hashed into the manifest
   std::string directory;
-  bool resume = false;  ///< goes on with the cases that `directory` holds; without it there may be none
+  bool resume = false;  ///< continues with the cases that `directory` holds; without it there may be none
   std::string program;  ///< path of the `brash` command, whose `campaign-case` runs one case
-  /// Told of each done case that is not as the campaign made it, such as one whose history was cut. It is run again.
+  /// Called with a message for each done case that is not as the campaign made it, such as one whose history was cut.
+  /// The case is run again.
   std::function<void(const std::string& what)> unfit{};
 };
 
-/// Told now and then how far a campaign is, and how many cases are running.
+/// Called now and then with how far a campaign is, and how many cases are running.
 using Progress = std::function<void(const Counts&, std::size_t n_running)>;
 
 /// Runs the missing cases in `n_workers` processes on this machine; when none is missing, writes campaign.csv,
@@ -88,7 +89,7 @@ struct CaseTask {
 };
 
 /// Runs a case, from its newest checkpoint where there is one.
-/// @throws the error of the simulation when the case fails by itself. @throws StorageError when the system refuses a
+/// @throws the error of the simulation when the case fails on its own. @throws StorageError when the system refuses a
 /// file.
 CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted);
 

@@ -16,12 +16,12 @@ struct Job {
   std::size_t ticket = 0;            ///< the caller's own number for it
   std::vector<std::string> command;  ///< the program's path and its arguments
   std::string messages;              ///< file that takes its stderr while it runs; stdout is dropped
-  std::string folder;                ///< that it works in, made by itself; removed when it fails, its state kept
+  std::string folder;                ///< that it works in and makes; removed when it fails, its state kept
   std::string result;                ///< file that is there when the job is done
-  std::string record;                ///< file that says why the job failed by itself; empty: the pool stops then
+  std::string record;                ///< file that says why the job failed on its own; empty: the pool stops then
 };
 
-/// Whether a job is done, or has failed by itself.
+/// Whether a job is done, or has failed on its own.
 bool is_over(const Job& job);
 
 /// How a process ended: with an exit code, or by a signal (0: by none).

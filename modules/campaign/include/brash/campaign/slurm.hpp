@@ -27,14 +27,14 @@ struct SlurmJobs {
 /// Submits `jobs` as an array of tasks, each of which runs its part one after another, and a collector after it.
 ///
 /// The collector is meant to submit the jobs that are still missing again. It gives up when three rounds in a row have
-/// ended without a job that was done or failed by itself.
+/// ended without a job that was done or failed on its own.
 ///
 /// @throws InputError when an earlier submission is still in the queue. @throws RunError when sbatch fails, or in a
 ///         collector that gives up.
 SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options);
 
 /// Whether something that was submitted from `folder` is in the queue. The calling job itself does not count.
-/// @throws RunError when squeue cannot tell.
+/// @throws RunError when squeue cannot list the queue.
 bool is_in_queue(const std::string& folder);
 
 /// Runs part `chunk` of the jobs that `submit` listed in `list_file`. @return false when it was interrupted.
