@@ -112,7 +112,7 @@ void refuse_deep_json(const std::string& text, const std::string& path, const st
 
 void refuse_overwriting(const std::string& output, std::initializer_list<std::string> inputs) {
   for (const std::string& input : inputs) {
-    // Not equivalent where one of them is not there.
+    // Not equivalent where one of the two files is not there.
     std::error_code ignored;
     if (std::filesystem::equivalent(output, input, ignored)) {
       throw InputError(Complaint{output, "would be written over " + input + ", which is an input",

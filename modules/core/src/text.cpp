@@ -129,7 +129,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
       least = distance;
     }
   }
-  // More than half of the letters wrong is no similarity.
+  // With more than half of the letters wrong, the names are not similar.
   if (nearest == nullptr || 2 * least > std::max(name.size(), nearest->size())) return "";
   return *nearest;
 }

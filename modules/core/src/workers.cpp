@@ -69,7 +69,7 @@ class FirstError {
 };
 
 /// The chunks of a worker that nobody has taken, and the loop to which they belong, in one word. Who exchanges the word
-/// has the chunk, and knows that the loop goes on until that chunk is done.
+/// has the chunk, and knows that the loop continues until that chunk is done.
 struct Left {
   std::uint64_t word;
 

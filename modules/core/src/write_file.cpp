@@ -44,7 +44,7 @@ int write_part(const std::string& path, const std::function<bool(std::string_vie
 }
 
 /// Waits until the bytes of `path` are on the disk and not only in the system's memory: a crash may not leave a file's
-/// final name with half of them. @return 0, or the system's error number.
+/// final name with half of its bytes. @return 0, or the system's error number.
 int to_disk(const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) return errno;

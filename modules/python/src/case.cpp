@@ -34,7 +34,7 @@ std::string toml_value(py::handle value, int depth = 0) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value))
     return py::str(py::module_::import("json").attr("dumps")(value, py::arg("ensure_ascii") = false));
-  // NumPy's float64 is a float whose text is no number.
+  // NumPy's float64 is a float whose text is not a number.
   if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")(), depth + 1);
   if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value);
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
@@ -79,7 +79,7 @@ std::vector<std::string> changed(std::vector<std::string> overrides, const py::d
 py::dict to_dict(const Case& c) { return py::module_::import("tomllib").attr("loads")(io::to_toml(c.resolved)); }
 
 py::object value_of(const Case& c, const std::string& name) {
-  if (name.find('.') == std::string::npos) throw py::key_error(name);  // a section is no value
+  if (name.find('.') == std::string::npos) throw py::key_error(name);  // a section is not a value
   // The text of a case leaves the kind out where the structure is towed.
   if (name == "structure.motion.kind")
     return py::str(std::string(model::name_of(model::kind_of(c.resolved.structure.motion))));

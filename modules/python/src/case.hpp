@@ -10,7 +10,7 @@
 
 namespace brash::python {
 
-/// How many runs of a case go on. A copy of the case begins without any.
+/// How many runs of a case are in progress. A copy of the case begins without any.
 struct RunsNow {
   int n = 0;
 

@@ -27,7 +27,7 @@ std::string shape_text(const py::array& array);
 /// @throws InputError naming the argument `name` when a value of a numpy.ma array is masked: its number means nothing.
 void expect_no_mask(py::handle value, const char* name);
 
-/// The value as such an array, copied or cast where needed; a null one when it is none.
+/// The value as such an array, copied or cast where needed; a null array when it is not one.
 /// @throws py::error_already_set when there is no memory for it: `ensure()` hides that.
 template <typename Any>
 Any ensured(py::handle value) {
@@ -48,7 +48,7 @@ std::span<const double> span_of(const Array& array);
 
 /// shape=(n, 2), finite and on the grid's range [m]. @throws InputError naming argument and row.
 std::vector<Vec2> points(py::handle value, const char* name);
-/// shape=(2,), likewise.
+/// The same for shape=(2,).
 Vec2 point(py::handle value, const char* name);
 
 py::array_t<double> to_array(std::span<const double> values);

@@ -66,7 +66,7 @@ double expect_range(double value, double least, double most, const char* name) {
   throw InputError(fmt::format("{} = {}: a number from {} to {} is expected", name, value, least, most));
 }
 
-/// Circles and windows are no smaller: a thousand units of the grid [m].
+/// Circles and windows are not smaller than this: a thousand units of the grid [m].
 constexpr double kLeastRadius = 1e-6;
 
 /// A circle that stays on the grid, of at least `least` [m].

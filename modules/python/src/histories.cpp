@@ -59,7 +59,7 @@ std::string unit_of(const py::object& labelled) {
   return py::isinstance<py::str>(units) ? units.cast<std::string>() : "";
 }
 
-/// Numbers of rows are no times: whole numbers are taken as seconds only from an index that has a name.
+/// Numbers of rows are not times: whole numbers are taken as seconds only from an index that has a name.
 void expect_times(const py::object& index) {
   if (!py::hasattr(index, "name") || !index.attr("name").is_none()) return;
   const auto kind = py::module_::import("numpy").attr("asarray")(index).attr("dtype").attr("kind").cast<std::string>();
@@ -117,7 +117,7 @@ LoadHistory load_of(const py::object& history) {
   return load;
 }
 
-/// One history, or a list of them. In a list, those without a unit have the unit of the others.
+/// One history, or a list of histories. In a list, those without a unit have the unit of the others.
 std::vector<LoadHistory> loads_of(const py::object& histories) {
   std::vector<LoadHistory> loads;
   if (!py::isinstance<py::list>(histories)) return {load_of(histories)};

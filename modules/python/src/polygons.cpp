@@ -16,7 +16,7 @@ namespace {
 
 using geometry::Polygon;
 
-/// Polygons of a text. Where a map names sheet and floes, the floes are no part of the sheet, and read_map() gives
+/// Polygons of a text. Where a map names sheet and floes, the floes are not part of the sheet, and read_map() gives
 /// them.
 std::vector<Polygon> from_text(const std::string& text, const char* name) {
   auto map = geometry::read_polygons(text);
@@ -35,14 +35,14 @@ std::vector<Polygon> from_text(const std::string& text, const char* name) {
   return polygons;
 }
 
-/// One polygon may stand alone when it neither crosses itself nor is empty.
+/// A single polygon is accepted when it neither crosses itself nor is empty.
 Polygon checked(Polygon polygon, const char* name) {
   if (const auto alone = geometry::IceSheet::from_polygons(std::span(&polygon, 1)); !alone)
     throw InputError(fmt::format("{}: {}", name, alone.error().what));
   return polygon;
 }
 
-/// The polygons that one value stands for, or nothing when it stands for none.
+/// The polygons that one value represents, or nothing when it represents none.
 std::optional<std::vector<Polygon>> polygons_of(py::handle value, const char* name) {
   if (py::isinstance<Polygon>(value)) return std::vector{value.cast<Polygon>()};
   if (py::isinstance<py::str>(value)) return from_text(value.cast<std::string>(), name);

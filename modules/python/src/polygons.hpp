@@ -10,12 +10,12 @@
 
 namespace brash::python {
 
-/// One polygon from whatever stands for one: a Polygon, vertices with shape (n, 2), WKT or GeoJSON as text, or an
+/// One polygon from whatever represents one: a Polygon, vertices with shape (n, 2), WKT or GeoJSON as text, or an
 /// object with __geo_interface__ (shapely's). Simple, the outline counter-clockwise and holes clockwise afterwards.
 /// @throws InputError naming the argument `name`.
 geometry::Polygon to_polygon(pybind11::handle value, const char* name);
 
-/// Several of them: a sequence of such values, or one value, which may then be a multi-polygon.
+/// Several polygons: a sequence of such values, or one value, which may then be a multi-polygon.
 std::vector<geometry::Polygon> to_polygons(pybind11::handle value, const char* name);
 
 /// Warns of content that was left out, such as "heights (12)".

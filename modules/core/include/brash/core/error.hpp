@@ -6,11 +6,11 @@
 
 namespace brash {
 
-/// A message to the user about bad input. Text from a file may stand in each part: it is shown escaped.
+/// A message to the user about bad input. Each part may contain text from a file: it is shown escaped.
 struct Complaint {
   std::string where;    ///< file and place in it: "events.csv, line 3"
   std::string what;     ///< the value and the error in it
-  std::string allowed;  ///< the values that may stand there instead
+  std::string allowed;  ///< the values that may be there instead
   std::string remedy;   ///< the action that helps
 };
 

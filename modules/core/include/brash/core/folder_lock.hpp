@@ -11,7 +11,7 @@ namespace brash {
 
 /// A file that one process at a time holds. The holder removes it in the end; the system releases it when the process
 /// ends, however it ends, and the file that a killed process leaves locks nobody out. A link, a device or a file that
-/// is no lock of this program is never taken, written or removed.
+/// is not a lock of this program is never taken, written or removed.
 class FolderLock {
  public:
   /// Takes `path`, made if missing, or waits up to `patience` [s] for another process that is about to end.
@@ -23,8 +23,8 @@ class FolderLock {
   /// removed.
   /// @throws InputError naming the process that holds it.
   static FolderLock take_or_refuse(const std::string& folder, const std::string& name);
-  /// Removes the lock that a killed process left at `path`; a lock that another process holds, and a file that is no
-  /// lock, stay.
+  /// Removes the lock that a killed process left at `path`; a lock that another process holds, and a file that is not
+  /// a lock, stay.
   static void remove_stale(const std::string& path);
   FolderLock(FolderLock&& other) noexcept
       : path_(std::move(other.path_)), made_(std::move(other.made_)), file_(std::exchange(other.file_, -1)) {}

@@ -6,7 +6,7 @@
 
 namespace brash {
 
-/// Name of a thing that may be replaced: `index` is the slot, `generation` tells its occupants apart.
+/// Name of a thing that may be replaced: `index` is the slot, `generation` distinguishes its occupants.
 template <typename Tag>
 struct Id {
   std::uint32_t index = 0;

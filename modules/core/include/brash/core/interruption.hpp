@@ -3,7 +3,8 @@
 
 namespace brash {
 
-/// Thrown by a check that wants a computation to end. It is no std::exception, so that nothing takes it for a failure.
+/// Thrown by a check that wants a computation to end. It is not a std::exception, so that nothing takes it for a
+/// failure.
 struct Interruption {};
 
 /// A check that long computations of this thread call now and then; it throws when whoever waits wants them to end.

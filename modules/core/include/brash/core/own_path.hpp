@@ -9,7 +9,7 @@
 
 namespace brash {
 
-/// Absolute path of the program or module that this code was linked into; empty where the system does not tell.
+/// Absolute path of the program or module that this code was linked into; empty where the system does not report it.
 inline std::filesystem::path own_path() {
   const auto here = reinterpret_cast<std::uintptr_t>(&own_path);
   std::ifstream maps("/proc/self/maps");

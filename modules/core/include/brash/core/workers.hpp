@@ -61,7 +61,7 @@ class Workers {
                                    const_cast<void*>(static_cast<const void*>(std::addressof(task)))});
   }
 
-  /// Calls `task(i)` for each i in [0, n), `chunk` of them at a time.
+  /// Calls `task(i)` for each i in [0, n), `chunk` items at a time.
   template <typename Task>
   void each(std::size_t n, std::size_t chunk, Task&& task, const char* caller = __builtin_FUNCTION()) {
     const auto items = [&task](std::size_t begin, std::size_t end, int) {
@@ -70,7 +70,7 @@ class Workers {
     chunks(n, chunk, items, caller);
   }
 
-  /// `start` and `term(i)` for each i in [0, n), found `chunk` of them at a time and added in the order of i.
+  /// `start` and `term(i)` for each i in [0, n), found `chunk` terms at a time and added in the order of i.
   template <typename Term>
   double sum(double start, std::size_t n, std::size_t chunk, Term&& term, const char* caller = __builtin_FUNCTION()) {
     std::vector<double> terms(n);
