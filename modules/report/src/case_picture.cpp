@@ -24,7 +24,7 @@ using structure::Outline;
 /// A drawing to scale: y upwards in metres, downwards on the page.
 class Panel {
  public:
-  /// @param top  of the panel on the page; its title stands there.
+  /// @param top  of the panel on the page; its title is there.
   Panel(double top, Vec2 lower, Vec2 upper, const std::string& title)
       : lower_(lower), upper_(upper), top_(top + kTitle), scale_((kWidth - 2.0 * kMargin) / (upper.x - lower.x)) {
     svg_ = fmt::format("<text x=\"{}\" y=\"{:.1f}\" class=\"title\">{}</text>\n", kMargin, top + 18.0, title);

@@ -24,7 +24,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Share of the axis at which a value stands.
+/// Share of the axis at which a value lies.
 double share(const ChartAxis& axis, double value) {
   if (!axis.logarithmic) return (value - axis.lower) / (axis.upper - axis.lower);
   return std::log(value / axis.lower) / std::log(axis.upper / axis.lower);

@@ -46,7 +46,7 @@ Levels levels_of(const ExtremeAnalysis& e, double last) {
   return out;
 }
 
-/// Where the curve of a state ends: no level is given beyond what its record can bear.
+/// Where the curve of a state ends: no level is given beyond what its record can support.
 double last_hours(const analysis::DesignState& state, const analysis::DesignSettings& asked) {
   const double wanted = 1.5 * *std::ranges::max_element(asked.hours);
   return asked.extremes.extrapolate ? wanted

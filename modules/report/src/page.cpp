@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kDataMark = "BRASH-REPORT-DATA";
 constexpr std::string_view kPackedMark = "BRASH-REPORT-PACKED";
 
-/// JSON that stands inside an HTML element: no character of it means anything to HTML.
+/// JSON that is placed inside an HTML element: no character of it means anything to HTML.
 std::string inside_html(const nlohmann::ordered_json& data) {
   std::string text;
   for (const char c : data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {

@@ -71,7 +71,7 @@ std::string share_of_larger(const Sorted& sizes, const analysis::PieceAnalysis& 
     }
     const char* colour = kColours[static_cast<std::size_t>(fit.law)];
     chart.line(at, shares, colour, 1.8);
-    // The key stands at the lower left, where the points never are.
+    // The key is at the lower left, where the points never are.
     const double height = lowest * std::pow(1.6 / lowest, 0.05 + 0.06 * place);
     chart.words(x.lower * std::pow(x.upper / x.lower, 0.03), height,
                 fmt::format("{}, p = {:.2g}", name_of(fit.law), fit.goodness.p_value), colour);

@@ -48,7 +48,7 @@ void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& 
   });
 }
 
-/// Rings one after another, and how many of them each polygon has.
+/// Rings one after another, and how many rings each polygon has.
 void add_polygons(Blocks& blocks, const std::string& name, const std::vector<const Rings*>& polygons, double unit) {
   std::vector<std::int32_t> n_rings, n_nodes;
   std::vector<double> x, y;
@@ -143,8 +143,8 @@ Pose pose_of(const model::LoadRow& row) {
            sh * cp * cr - ch * sp * sr}};
 }
 
-/// Where the structure is at the end of a run, whose last frame may be older: it goes on as between the last two
-/// frames, and where it turns the last load row tells it. Without frames it has gone where nothing resists it.
+/// Where the structure is at the end of a run, whose last frame may be older: it continues as between the last two
+/// frames, and where it turns, the last load row gives its pose. Without frames it has gone where nothing resists it.
 Pose pose_at_end(const model::Case& resolved, const model::RunResults& results) {
   const std::vector<model::Frame>& frames = results.frames;
   const double end = results.loads.empty() ? 0.0 : results.loads.back().time;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a campaign varied: inputs that are axes of a grid, and lists of settings that only their names tell apart.
+// What a campaign varied: inputs that are axes of a grid, and lists of settings that only their names distinguish.
 import { kLabel, schemaOf } from "./campaign_names";
 import type { CampaignData, CampaignSetting } from "./types";
 
@@ -20,11 +20,11 @@ function variedKeys(settings: CampaignSetting[], count: Count): string[] {
 const isGrid = (count: Count, keys: string[]): boolean => keys.reduce((product, key) => product * count(key), 1) === count(...keys);
 
 export interface Axes {
-  /** The data, whose settings have their names as a value where these stand for inputs. */
+  /** The data, whose settings have their names as a value where the names are used for inputs. */
   data: CampaignData;
-  /** Inputs that tell the settings apart. */
+  /** Inputs that distinguish the settings. */
   keys: string[];
-  /** Those of them that are numbers on axes of their own. */
+  /** Those inputs that are numbers on axes of their own. */
   numeric: string[];
 }
 
@@ -53,7 +53,7 @@ function namesOf(settings: CampaignSetting[], free: string[], joined: string[]):
   return settings.map((s) => common.get(groupOf(s))!.join("_") || s.setting);
 }
 
-/** Inputs in which a setting differs from the first one, but for those that are told beside. */
+/** Inputs in which a setting differs from the first one, except the inputs that are shown beside it. */
 export function differing(data: CampaignData, setting: CampaignSetting, beside: string[]): string[] {
   const [first] = data.summary.settings;
   return Object.keys(first.values).filter((key) => !beside.includes(key) && JSON.stringify(first.values[key]) !== JSON.stringify(setting.values[key]));

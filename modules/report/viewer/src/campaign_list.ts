@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One result of settings that only their names tell apart: a row for each, with its mean, interval and runs.
+// One result of settings that only their names distinguish: a row for each, with its mean, interval and runs.
 import { meanText, resultOf, titleOf } from "./campaign_names";
 import type { Runs } from "./campaign_trends";
 import { el, svg } from "./dom";

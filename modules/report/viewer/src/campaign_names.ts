@@ -3,7 +3,7 @@
 import { number } from "./format";
 import type { CampaignColumn, CampaignData, CampaignSetting, Schema, SchemaKey } from "./types";
 
-/** The name of a setting where it stands in place of inputs; no input has a key without a dot. */
+/** The name of a setting where it is used in place of inputs; no input has a key without a dot. */
 export const kLabel = "label";
 
 /** A quantity: its name, its unit, and what an SI value is multiplied with. */
@@ -29,7 +29,7 @@ export function schemaOf(schema: Schema, key: string): SchemaKey | undefined {
   return at as SchemaKey | undefined;
 }
 
-/** An input: "ice thickness [m]" for `ice.thickness`, and "setting" where names stand for inputs. */
+/** An input: "ice thickness [m]" for `ice.thickness`, and "setting" where names are used for inputs. */
 export function inputOf(data: CampaignData, key: string): Quantity {
   if (key === kLabel) return { name: "setting", unit: "", scale: 1 };
   const written = schemaOf(data.schema, key)?.["x-unit"] ?? "1";

@@ -30,7 +30,7 @@ interface Facet {
 
 const distinct = (settings: CampaignSetting[], key: string): number => new Set(settings.map((s) => JSON.stringify(s.values[key]))).size;
 
-/** The input whose values become lines: the one with the fewest, if they can be told apart. */
+/** The input whose values become lines: the one with the fewest, if the lines can be distinguished. */
 function linesOf(settings: CampaignSetting[], others: string[]): string | null {
   const sorted = others.map((key) => ({ key, n: distinct(settings, key) })).sort((a, b) => a.n - b.n);
   return sorted.length > 0 && sorted[0].n <= kLines.length ? sorted[0].key : null;

@@ -68,7 +68,7 @@ const kFinePng = 2;
 /** Largest height of a chart on paper over its width. */
 const kTallest = 0.6;
 
-/** A chart that fills its element's width, made anew when the theme changes. */
+/** A chart that fills its element's width, made again when the theme changes. */
 export class Chart {
   readonly element: HTMLElement;
   plot: uPlot | null = null;

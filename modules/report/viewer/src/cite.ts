@@ -35,7 +35,7 @@ const kSources: Source[] = [
   { what: "closed form: resistance of a ship", cite: "G. Lindqvist, A straightforward method for calculation of ice resistance of ships, POAC, 1989", works: [kLindqvist], used: loads("Lindqvist") },
 ];
 
-/** The programs: their versions stand in the manifest. */
+/** The programs: their versions are in the manifest. */
 function programs(run: Run): Work[] {
   const { program: own, built_with: libraries } = run.data.manifest;
   return [

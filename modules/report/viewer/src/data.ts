@@ -261,7 +261,7 @@ export function parseToml(toml: string): Record<string, Record<string, InputValu
     try {
       value = JSON.parse(entry[2]) as InputValue["value"];
     } catch {
-      // A text in TOML's own escapes, or inf: shown as it stands.
+      // A text in TOML's own escapes, or inf: shown as it is.
     }
     current[entry[1]] = { value, text: typeof value === "string" ? value : entry[2], unit: entry[3] ?? "" };
   }

@@ -35,7 +35,8 @@ export function section(id: string, title: string, ...children: Child[]): HTMLEl
   return el("section", { id, "aria-labelledby": `${id}-title` }, el("h2", { id: `${id}-title` }, title), ...children);
 }
 
-/** A name or a path that may go on in the next line behind its underscores, slashes and dots, but for decimal points. */
+/** A name or a path that may continue in the next line behind its underscores, slashes and dots, but for decimal
+ * points. */
 function breakable(text: string): Child[] {
   return text.split(/(?<=\/)|(?<=_)(?=[a-z\d])|(?<=\.)(?=[a-z])/).flatMap((part, i) => (i === 0 ? [part] : [el("wbr"), part]));
 }

@@ -95,7 +95,7 @@ export class FloeMesh {
     if (this.largestForce !== before) this.repaint();
   }
 
-  /** Paints every floe anew at the next time: the palette has changed. */
+  /** Paints every floe again at the next time: the palette has changed. */
   repaint(): void {
     this.painted.fill(kMoves);
   }

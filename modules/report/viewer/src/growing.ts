@@ -117,7 +117,7 @@ export class Growing {
       }
   }
 
-  /** The newest sheet stands for the one at the end. */
+  /** The newest sheet is used for the one at the end. */
   private putSheets(blocks: Blocks): void {
     const sheets = this.sheets.length > 0 ? this.sheets : [{ time: 0, rings: [] }];  // of a field of floes
     const all = [...sheets, sheets[sheets.length - 1]];

@@ -114,7 +114,7 @@ export function ledgerSection(run: Run): HTMLElement {
       el("div", {}, energyTable(run.data))));
 }
 
-/** Letters of a text that may go on in the next line. */
+/** Letters of a text that may continue in the next line. */
 const kLong = 24;
 
 /** A value as text: numbers rounded for the eye, angles in degrees as well; the exact text is its tooltip. */
@@ -146,7 +146,7 @@ function files(title: string, list: Manifest["inputs"]): HTMLElement | null {
     table(["file", "size", "SHA-256"], list.map((file) => [file.path, bytes(file.bytes), el("code", { class: "hash" }, file.sha256)])));
 }
 
-/** The inputs and the plan, which may be one of them. */
+/** The inputs and the plan, which may be one of the inputs. */
 function inputsOf({ plan, inputs = [] }: Manifest): Manifest["inputs"] {
   return plan && !inputs.some(({ path }) => path === plan.path) ? [plan, ...inputs] : inputs;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of a run that goes on: what the server streams becomes the same replay, loads and cracks as in a report.
+// The page of a run in progress: what the server streams becomes the same replay, loads and cracks as in a report.
 import { LoadChoice } from "./choice";
 import { type Blocks, Run } from "./data";
 import { el, section } from "./dom";
@@ -20,7 +20,8 @@ export interface LiveReport {
   run: Run;
 }
 
-/** Time between two pictures of a run that goes on [ms]. A browser that draws all the time slows the run on its machine. */
+/** Time between two pictures of a run in progress [ms]. A browser that draws all the time slows the run on its
+ * machine. */
 const kPause = 300;
 /** Time without a picture over the time that one took: pictures of a long run take longer. */
 const kRest = 2;
@@ -100,7 +101,7 @@ export function showLive(data: LiveData, blocks: Blocks, parent: HTMLElement): L
   return report;
 }
 
-/** The drawings of a run that goes on, made anew as far as it has grown. */
+/** The drawings of a run in progress, made again as far as it has grown. */
 export class LiveView {
   private readonly ended = new AbortController();
   private readonly choice = new LoadChoice();
@@ -154,7 +155,7 @@ export class LiveView {
       if (!isNewest) this.plan.select(this.card.event);
     }
     if (isNewest) this.choose(nEvents - 1, false);
-    else if (this.card.event < 0) this.card.show(-1);  // it tells whether the ice has broken
+    else if (this.card.event < 0) this.card.show(-1);  // it shows whether the ice has broken
   }
 
   private makePlan(): PlanView {

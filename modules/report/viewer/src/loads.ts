@@ -29,7 +29,7 @@ export interface Peak {
   unit: string;
 }
 
-/** A history that is drawn over that of the run [s], [N or N m]. */
+/** A history that is drawn over the history of the run [s], [N or N m]. */
 export interface Overlay {
   label: string;
   colour: string;
@@ -44,7 +44,7 @@ export class LoadHistory {
   readonly element: HTMLElement;
   readonly chart: Chart;
   private readonly notes = el("p", { class: "hint" });
-  /** The replay's time. It moves over the chart, which is not drawn anew. */
+  /** The replay's time. It moves over the chart, which is not drawn again. */
   private readonly now = el("div", { class: "now" });
 
   constructor(

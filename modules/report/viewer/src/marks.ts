@@ -2,7 +2,7 @@
 // The marks of a chart besides its lines: means, intervals, single runs and cracks; on the page and in a saved drawing alike.
 import type uPlot from "uplot";
 
-/** In the chart's numbers; lengths in pixels. Those of one name are explained once. */
+/** In the chart's numbers; lengths in pixels. Marks of one name are explained once. */
 export type Mark = { name: string; colour: string } & (
   | { kind: "band"; from: number; to?: number; low: number; high: number }  // to the right edge, if no `to`
   | { kind: "level"; from: number; to?: number; at: number; dash: number[] }

@@ -24,7 +24,7 @@ function refit(): void {
   for (const each of document.querySelectorAll(kListeners)) each.dispatchEvent(new Event("refit"));
 }
 
-/** Calls `act` while the page is laid out as on paper. A browser tells of a print before it lays the page out for it. */
+/** Calls `act` while the page is laid out as on paper. A browser reports a print before it lays the page out for it. */
 function laidOutForPaper(act: () => void): void {
   const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules])
     .filter((rule): rule is CSSMediaRule => rule instanceof CSSMediaRule && rule.media.mediaText === "print");
@@ -38,7 +38,7 @@ function laidOutForPaper(act: () => void): void {
   }
 }
 
-/** Paper is white, whatever the screen is. @param retheme draws charts anew, in the page's colours. */
+/** Paper is white, whatever the screen is. @param retheme draws charts again, in the page's colours. */
 export function preparePrints(retheme: () => void): void {
   const root = document.documentElement;
   let chosen: string | undefined;

@@ -159,7 +159,7 @@ export class PlanView {
     );
     addRuler(this.drawing, box, 62);
     onWidth(this.drawing, (width) => this.sizePoints((kPoint * (box.x1 - box.x0)) / width));
-    // A picture has no buttons for its reader; this one is a group of them.
+    // A picture has no buttons for its reader; this one is a group of buttons.
     this.drawing.setAttribute("role", "group");
     this.element = el("figure", { class: "plan-view" }, this.drawing,
       el("div", { class: "under" },

@@ -47,7 +47,7 @@ function noReplay(run: Run, name = ""): HTMLElement {
     "Loads, cracks and the places where floes broke off are complete.");
 }
 
-/** Names of two runs that tell them apart. */
+/** Names that distinguish two runs. */
 function namesOf(runs: Run[]): string[] {
   if (runs.length < 2) return [];
   const names = runs.map(({ name }) => name);

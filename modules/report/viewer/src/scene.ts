@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The run in space: water, sheet, structure and floes at any time. Axes are those of the sheet: x along the track, y to
-// port, z upwards from the waterplane.
+// The run in space: water, sheet, structure and floes at any time. Axes of the sheet: x along the track, y to port,
+// z upwards from the waterplane.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, EdgesGeometry, Fog, Group, HemisphereLight,
   LineBasicMaterial, LineLoop, LineSegments, Mesh, MeshLambertMaterial, PCFShadowMap, PerspectiveCamera, Quaternion, Scene,

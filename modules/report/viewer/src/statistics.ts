@@ -41,7 +41,8 @@ function moments(run: Run, measured: RunData["measured"]): HTMLElement {
 /** Of loads whose mean is negative. */
 const kLowerEnd = "A load whose larger end is the lower one has its quantiles, load events and extremes there: 99 % of the time it is above its 99 % quantile. ";
 
-/** Below ten independent samples there is none, nor in a run that is too short or in which no ice broke or bore. */
+/** Below ten independent samples there is no interval, nor in a run that is too short or in which no ice broke or
+ * pressed on the structure. */
 const noInterval = (samples: number): string => (samples < 10 ? "too few samples" : "none: see the warnings");
 
 function causes(run: Run): HTMLElement | false {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the page's data, as modules/report/src writes it. SI throughout.
+// What is in the page's data, as modules/report/src writes it. SI throughout.
 
 export interface BlockEntry {
   name: string;
@@ -171,7 +171,7 @@ export interface RunData extends RunFiles {
   other?: RunFiles;
 }
 
-/** A run that goes on: its arrays are streamed. */
+/** A run in progress: its arrays are streamed. */
 export interface LiveData {
   kind: "live";
   origin: string;

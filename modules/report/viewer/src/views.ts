@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the camera stands, and how far.
+// Where the camera is, and how far.
 import type { Run } from "./data";
 
 export interface View {
-  /** Where the camera stands, from the point that it looks at, in sizes of the scene. */
+  /** Where the camera is, from the point that it looks at, in sizes of the scene. */
   from: [number, number, number];
   /** That point, from the structure's origin, in radii of its waterline. */
   at: [number, number, number];

@@ -64,7 +64,7 @@ export class Water {
 
   private readonly fade = { deep: { value: null as Color | null } };
 
-  /** Makes the colours of a lit material go over into those of the deep below the surface. */
+  /** Makes the colours of a lit material change into the colours of the deep below the surface. */
   fades(material: Material): void {
     material.onBeforeCompile = (shader) => {
       shader.uniforms.deepColour = this.fade.deep;

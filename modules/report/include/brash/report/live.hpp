@@ -18,7 +18,7 @@ struct EndedFloe {
   model::FloeEnd end = model::FloeEnd::kCrushed;
 };
 
-/// The page of a run that goes on. It takes what live_records() gives as events named `records`, from `events` beside
+/// The page of a run in progress. It takes what live_records() gives as events named `records`, from `events` beside
 /// it.
 /// @param land  its outlines, each with its holes, sheet frame [m].
 /// @throws RunError in a build without the page.
