@@ -190,13 +190,16 @@ BOOST_AUTO_TEST_CASE(a_box_has_the_same_drag_whichever_of_its_faces_are_taken_fo
 }
 
 BOOST_AUTO_TEST_CASE(skin_friction_of_a_sliding_box_acts_on_the_faces_along_the_motion) {
-  Water water;
-  water.skin_friction = 0.01;
-  const WaterLoad load = water_load(box(3.0, 2.0, 0.5), kDeep, {{2.0, 0.0, 0.0}, {}}, water);
-  // Top, bottom and the two long sides; the ends meet the water head-on.
-  const double expected = -0.5 * water.density * 0.01 * (2.0 * 6.0 + 2.0 * 1.5) * 4.0;
-  BOOST_CHECK_CLOSE_FRACTION(load.skin_friction.force.x, expected, 1e-13);
-  BOOST_CHECK_SMALL(norm(load.skin_friction.moment), 1e-12 * std::abs(expected));
+  for (const DragLaw law : {DragLaw::kSurface, DragLaw::kPaper}) {
+    Water water;
+    water.drag_law = law;
+    water.skin_friction = 0.01;
+    const WaterLoad load = water_load(box(3.0, 2.0, 0.5), kDeep, {{2.0, 0.0, 0.0}, {}}, water);
+    // Top, bottom and the two long sides; the ends meet the water head-on.
+    const double expected = -0.5 * water.density * 0.01 * (2.0 * 6.0 + 2.0 * 1.5) * 4.0;
+    BOOST_CHECK_CLOSE_FRACTION(load.skin_friction.force.x, expected, 1e-13);
+    BOOST_CHECK_SMALL(norm(load.skin_friction.moment), 1e-12 * std::abs(expected));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_water_never_gives_power_to_a_floe_that_translates) {
