@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -108,6 +109,9 @@ std::string resistance_text(const ordered_json& resistance) {
   const TableUnit unit = unit_for(all, "N");
   std::string text = fmt::format("{}: resistance\n", resistance["case"].get<std::string>()) + origin_text(resistance) +
                      points_text(resistance["points"], unit) + fit_text(resistance["fit"], unit);
+  const auto is_unsteady = [](const ordered_json& point) { return !point["steady"].get<bool>(); };
+  if (std::ranges::any_of(resistance["points"], is_unsteady))
+    text += "  the law, and the speeds and the thickness below, are of means that are not steady\n";
   if (!resistance.contains("attained")) return text;
   text += "speed that the thrust attains\n";
   for (const ordered_json& entry : resistance["attained"]) text += attained_text(entry);

@@ -154,6 +154,7 @@ class Resistance(unittest.TestCase):
             self.assertEqual(text.count("  not steady\n"), 9)
             self.assertEqual(text.count(why), 1)
             self.assertIn("1.2 m at 4 m/s)", text)
+            self.assertIn("the law, and the speeds and the thickness below, are of means that are not steady", text)
 
     def test_files_beside_the_campaign(self):
         write_campaign(self.folder)
