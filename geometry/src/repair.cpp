@@ -79,6 +79,7 @@ std::vector<Polygon> faces_of(std::span<const Repair::Part> parts, const Numbers
   const Point low = clamped(box.low), high = clamped(box.high);
   const Polygon around{{low, Point::of_units(high.x, low.y), high, Point::of_units(low.x, high.y)}, {}};
   std::vector<Crack> cracks;
+  cracks.reserve(edges.size());
   for (const auto& [from, to] : edges) cracks.push_back({from, to});
   return checked_sheet(std::span(&around, 1)).cut(around.outline, cracks).pieces;
 }
@@ -134,6 +135,7 @@ class Round {
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (takes_part[i]) all[root(i)].push_back(i);
     std::vector<Numbers> groups;
+    groups.reserve(all.size());
     for (auto& [first, numbers] : all) groups.push_back(std::move(numbers));
     return groups;
   }
@@ -178,6 +180,7 @@ class Round {
 
 std::vector<Polygon> polygons_of(const std::vector<Repair::Part>& parts) {
   std::vector<Polygon> polygons;
+  polygons.reserve(parts.size());
   for (const Repair::Part& part : parts) polygons.push_back(part.polygon);
   return polygons;
 }

@@ -146,7 +146,7 @@ std::string mean_text(const nlohmann::ordered_json& statistic, const std::string
   const auto number = [&](double value) {
     return unit.one != 1.0 ? fmt::format("{:.1f}", value / unit.one) : fmt::format("{:.6g}", value);
   };
-  const std::string text = fmt::format("{:>12} {}", number(statistic.at("mean").get<double>()), unit.name);
+  std::string text = fmt::format("{:>12} {}", number(statistic.at("mean").get<double>()), unit.name);
   const auto& interval = statistic.at("mean_95");
   if (interval.is_null()) return text;
   const bool is_positive = column.find("deviation") != std::string::npos || column.starts_with("n_");

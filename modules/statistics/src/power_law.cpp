@@ -44,7 +44,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<std::vector<double>>& in
                                      &squares, &rank, workspace.get()),
             "the fit of a power law");
   if (rank < n_terms) return std::nullopt;
-  const double freedom = static_cast<double>(n - n_terms);
+  const auto freedom = static_cast<double>(n - n_terms);
   const double t = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, freedom);
   const auto term = [&](std::size_t k) {
     const double value = gsl_vector_get(fitted.get(), k);
