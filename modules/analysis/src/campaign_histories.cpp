@@ -89,6 +89,10 @@ std::map<std::string, std::vector<std::string>> done_cases(const std::string& fo
   return done_cases_of(folder, false);
 }
 
+std::map<std::string, std::vector<std::string>> counted_cases(const std::string& folder) {
+  return done_cases_of(folder, true);
+}
+
 bool is_repeated(const TextTable& table, const TextTable::Row& row) {
   const auto column = static_cast<std::size_t>(std::ranges::find(table.names, "warnings") - table.names.begin());
   return column < row.size() && row[column].find(io::kRepeated) != std::string::npos;
@@ -101,7 +105,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
                                "give the folder that `brash campaign` wrote"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;
-  std::map<std::string, std::vector<std::string>> done = done_cases_of(folder, true);
+  std::map<std::string, std::vector<std::string>> done = counted_cases(folder);
   for (const ordered_json& given : read_settings(folder)) {
     SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
     names.push_back(setting.name);

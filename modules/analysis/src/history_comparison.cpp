@@ -187,11 +187,8 @@ Summary differences_of(const Side& a, const Side& b) {
 
 ordered_json mean_json(const Side& run, const Side& measured) {
   const bool paired = are_paired(run, measured);
-  Summary none;  // the mean of paired differences is compared with zero, which is known exactly
-  none.n = 2;
-  none.effective_sample_size = 1e9;
   const statistics::MeanComparison c = paired
-                                           ? statistics::compare_means(differences_of(run, measured), none, kConfidence)
+                                           ? statistics::compare_with_zero(differences_of(run, measured), kConfidence)
                                            : statistics::compare_means(run.mean, measured.mean, kConfidence);
   ordered_json out{{"difference", c.difference}, {"difference_95", interval(c.interval)}, {"p", c.test.p_value}};
   out["paired"] = paired;

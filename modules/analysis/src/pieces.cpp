@@ -108,9 +108,10 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
   PieceSizes sizes{source, {}, {}, 0};
   // Pieces may overlap each other, but not themselves.
   if (const auto faults = geometry::own_faults_of(polygons); !faults.empty())
-    throw InputError(Complaint{source, geometry::text_of(faults) + " (they count from 0)",
-                               "closed outlines that do not cross themselves, holes inside them",
-                               "draw the outlines anew, or repair the file: brash crack --sheet FILE --repair -o NEW"});
+    throw InputError(
+        Complaint{source, geometry::text_of(faults) + " (they count from 0)",
+                  "closed outlines that do not cross themselves, holes inside them",
+                  "draw the outlines again, or repair the file: brash crack --sheet FILE --repair -o NEW"});
   for (const geometry::Polygon& p : polygons) {
     sizes.diameters.push_back(geometry::mean_caliper_diameter(p.outline));
     sizes.areas.push_back(geometry::area(p).square_metres());

@@ -19,6 +19,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/run_summary.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/power_law.hpp"
 
@@ -30,8 +31,8 @@ using nlohmann::ordered_json;
 using statistics::Interval;
 
 constexpr const char* kRunSummary = "the summary.json of a run of a ship";
-/// The least way before a mean is called steady, in lengths of the hull: after 1.2 the bottom of an icebreaker still
-/// gathered ice (experiments/ships/README.md).
+/// The least way before a mean is called steady, in lengths of the hull. Chosen: after 1.2 the bottom of
+/// experiments/ships/icebreaker.toml still gathered ice.
 constexpr double kSteadyLengths = 2.5;
 constexpr const char* kFillingHull = "filling-hull";  // warning of a run whose bottom still gathers ice
 
@@ -52,7 +53,9 @@ double number_at(const ordered_json& json, const char* pointer, const std::strin
                              "give a campaign of a ship; `brash resistance CASE -o FOLDER` runs one"});
 }
 
-Run read_run(const std::string& path) {
+/// @param folder  of a case of the campaign.
+Run read_run(const fs::path& folder) {
+  const std::string path = (folder / "summary.json").string();
   const auto json = ordered_json::parse(read_json_text(path, kRunSummary), nullptr, /*allow_exceptions=*/false);
   const auto number = [&](const char* pointer) { return number_at(json, pointer, path); };
   Run run{.resistance = number("/horizontal/mean"),
@@ -66,8 +69,8 @@ Run read_run(const std::string& path) {
   if (json.contains(covered)) run.covered_bottom = number("/mean_by_region/bottom/covered");
   if (json.contains(lower) && json[lower].is_number())
     run.within = {number("/horizontal/mean_95/0"), number("/horizontal/mean_95/1")};
-  for (const ordered_json& warning : json.value("warnings", ordered_json::array()))
-    run.is_filling = run.is_filling || warning.value("id", "") == kFillingHull;
+  for (const model::Warning& warning : io::warnings_beside((folder / "history.csv").string()))
+    run.is_filling = run.is_filling || warning.id == kFillingHull;
   return run;
 }
 
@@ -94,7 +97,7 @@ struct Point {
   }
   /// Why the mean cannot be called steady; "" when it can.
   std::string unsteady() const {
-    const double length = resolved.hull.length.value_or(0.0), way = speed() * runs.front().statistics_from;
+    const double length = *resolved.hull.length, way = speed() * runs.front().statistics_from;
     if (way < (1.0 - 1e-3) * kSteadyLengths * length)  // a plan rounds times to milliseconds
       return fmt::format("the statistics begin after {:.2g} lengths of the hull, and {:g} is the least", way / length,
                          kSteadyLengths);
@@ -115,13 +118,15 @@ model::Case case_of(const std::string& campaign, const std::string& setting) {
 
 std::vector<Point> read_points(const std::string& campaign) {
   if (!is_campaign(campaign))
-    throw InputError(Complaint{campaign, "is no campaign: it has no folder cases/", "a case file, or such a folder",
+    throw InputError(Complaint{campaign, "is not a campaign: it has no folder cases/", "a case file, or such a folder",
                                "`brash resistance CASE -o FOLDER` makes one"});
   std::vector<Point> points;
-  for (const auto& [setting, cases] : done_cases(campaign)) {
+  for (const auto& [setting, cases] : counted_cases(campaign)) {
     Point point{setting, case_of(campaign, setting), {}};
-    for (const std::string& name : cases)
-      point.runs.push_back(read_run((fs::path(campaign) / "cases" / name / "summary.json").string()));
+    if (!point.resolved.hull.length)
+      throw InputError(Complaint{campaign, "is of a structure without [hull] length", "a campaign of a ship",
+                                 "`brash resistance CASE -o FOLDER` makes one"});
+    for (const std::string& name : cases) point.runs.push_back(read_run(fs::path(campaign) / "cases" / name));
     points.push_back(std::move(point));
   }
   if (points.empty())

@@ -46,8 +46,8 @@ void expect_grid(const ResistanceOptions& o) {
                              "as in `brash resistance ship.toml --thickness 0.4,0.8 --speed 1,2 -o results/ship`"});
 }
 
-/// Writes the plan into the campaign's folder. The plan that is there stays if it is the same, or the campaign's own
-/// checks report whether its cases fit.
+/// Writes the plan into the campaign's folder. With --resume it may differ from the one there: the campaign itself
+/// refuses cases that do not fit.
 void write_plan(ResistanceOptions& o) {
   expect_grid(o);
   const model::Case ship = io::read_case(o.input, o.run.overrides);
@@ -63,8 +63,8 @@ void write_plan(ResistanceOptions& o) {
   write_file(o.run.plan_file, text);
 }
 
-void show_resistance(const ResistanceOptions& o, const std::string& campaign) {
-  const std::optional<analysis::NetThrust> thrust = thrust_of(o);
+void show_resistance(const ResistanceOptions& o, const std::optional<analysis::NetThrust>& thrust,
+                     const std::string& campaign) {
   const nlohmann::ordered_json found = analysis::resistance_of(campaign, thrust, o.at_speed);
   const fs::path folder(campaign);
   write_file((folder / "resistance.json").string(), found.dump(2) + "\n");
@@ -75,13 +75,25 @@ void show_resistance(const ResistanceOptions& o, const std::string& campaign) {
   print("in {}: resistance.csv, resistance.json, resistance.svg\n", campaign);
 }
 
-void run_resistance(ResistanceOptions& o) {
-  thrust_of(o);  // a table that cannot be read is refused before the runs
-  if (analysis::is_campaign(o.input)) return show_resistance(o, o.input);
+/// Refuses options of runs for a campaign that has run.
+void refuse_options_of_runs(const CLI::App& command) {
+  for (const char* const name :
+       {"--thickness", "--speed", "--output", "--replicates", "--lengths", "--jobs", "--set", "--resume", "--plan"})
+    if (command.count(name) > 0)
+      throw InputError(Complaint{name, "has no effect on a campaign that has run", "with the case of a ship",
+                                 "give the case in place of the folder, or leave the option out"});
+}
+
+void run_resistance(ResistanceOptions& o, const CLI::App& command) {
+  const auto thrust = thrust_of(o);  // a table that cannot be read is refused before the runs
+  if (analysis::is_campaign(o.input)) {
+    refuse_options_of_runs(command);
+    return show_resistance(o, thrust, o.input);
+  }
   write_plan(o);
   if (o.plan_only) return print("the plan is in {}; `brash campaign` runs it\n", o.run.plan_file);
   run_plan(o.run);
-  show_resistance(o, o.run.directory);
+  show_resistance(o, thrust, o.run.directory);
 }
 
 CLI::Option* add_numbers(CLI::App& command, const char* name, std::vector<double>& values, const char* help) {
@@ -136,7 +148,7 @@ void add_resistance_command(CLI::App& app) {
   command->footer(
       "Example: brash resistance ship.toml --thickness 0.4,0.8 --speed 0.5,1,2 -o results/ship "
       "--bollard-pull 9e5 --open-water-speed 8");
-  command->callback([options] { run_resistance(*options); });
+  command->callback([options, command] { run_resistance(*options, *command); });
 }
 
 }  // namespace brash::cli

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace brash::report {
+
+/// Colours of the lines of one chart, in turn.
+constexpr std::array<const char*, 6> kLineColours{"#1f4e79", "#b3261e", "#2e7d32", "#8e6c00", "#6a1b9a", "#00838f"};
 
 /// One axis of a chart.
 struct ChartAxis {

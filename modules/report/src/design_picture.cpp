@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brash/analysis/design.hpp"
@@ -15,8 +14,7 @@ namespace {
 using namespace statistics;
 using Samples = std::vector<double>;
 
-constexpr double kHour = 3600.0;  // [s]
-constexpr std::array<const char*, 6> kColours{"#1f4e79", "#b3261e", "#2e7d32", "#8e6c00", "#6a1b9a", "#00838f"};
+constexpr double kHour = 3600.0;      // [s]
 constexpr double kLegendLine = 16.0;  // [pixels]
 
 std::string label(const analysis::Design& design) {
@@ -68,7 +66,7 @@ std::string exposure_chart(const analysis::Design& design, const analysis::Desig
   Chart chart(85.0, 30.0, 380.0, 300.0, "level once in the exposure, 95 %", {"exposure [h]", first, last, true},
               {label(design), low, high});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const char* colour = kColours[i % kColours.size()];
+    const char* colour = kLineColours[i % kLineColours.size()];
     for (double& end : all[i].upper) end = std::min(end, 2.0 * high);
     chart.band(all[i].hours, all[i].lower, all[i].upper, colour);
     chart.line(all[i].hours, all[i].level, colour, 1.5);
@@ -97,8 +95,8 @@ std::string years_chart(const analysis::Design& design, const analysis::DesignSe
   Samples x = lower, y = probability;
   x.insert(x.end(), upper.rbegin(), upper.rend());
   y.insert(y.end(), probability.rbegin(), probability.rend());
-  chart.area(x, y, kColours[0]);
-  chart.line(level, probability, kColours[0], 1.5);
+  chart.area(x, y, kLineColours[0]);
+  chart.line(level, probability, kLineColours[0], 1.5);
   for (const double p : asked.annual) chart.line({lower.front(), high}, {p, p}, "#777");
   return chart.svg();
 }
@@ -107,8 +105,8 @@ std::string legend(const analysis::Design& design) {
   std::string svg;
   double y = 385.0;
   for (std::size_t i = 0; i < design.states.size(); ++i, y += kLegendLine)
-    svg += fmt::format("<text x=\"85\" y=\"{:.0f}\" style=\"fill:{}\">{}</text>\n", y, kColours[i % kColours.size()],
-                       design.states[i].setting->name);
+    svg += fmt::format("<text x=\"85\" y=\"{:.0f}\" style=\"fill:{}\">{}</text>\n", y,
+                       kLineColours[i % kLineColours.size()], design.states[i].setting->name);
   return svg;
 }
 

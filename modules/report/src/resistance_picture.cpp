@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <vector>
 
@@ -17,7 +16,6 @@ namespace {
 using nlohmann::ordered_json;
 using Samples = std::vector<double>;
 
-constexpr std::array<const char*, 6> kColours{"#1f4e79", "#b3261e", "#2e7d32", "#8e6c00", "#6a1b9a", "#00838f"};
 constexpr const char* kThrustColour = "#555";
 constexpr double kLegendLine = 16.0;  // [pixels]
 
@@ -60,7 +58,7 @@ std::string resistance_chart(const Lines& lines, const ordered_json& resistance,
               {fmt::format("force [{}]", unit.name), 0.0, upper_end(0.0, highest)});
   std::size_t n = 0;
   for (const auto& [thickness, line] : lines) {
-    const char* const colour = kColours[n++ % kColours.size()];
+    const char* const colour = kLineColours[n++ % kLineColours.size()];
     chart.line(line.speed, line.resistance, colour, 1.5);
     if (line.lindqvist.size() == line.speed.size()) chart.line(line.speed, line.lindqvist, colour, 0.6);
     for (std::size_t i = 0; i < line.speed.size(); ++i) {
@@ -99,10 +97,10 @@ std::string attained_chart(const ordered_json& attained) {
   for (const Samples& of : ends) fastest = std::max(fastest, of[1]);
   Chart chart(575.0, 30.0, 380.0, 300.0, "speed that the thrust attains, 95 %",
               {"ice [m]", 0.0, upper_end(0.0, thicknesses.back())}, {"speed [m/s]", 0.0, upper_end(0.0, fastest)});
-  chart.line(thicknesses, speeds, kColours[0], 1.5);
+  chart.line(thicknesses, speeds, kLineColours[0], 1.5);
   for (std::size_t i = 0; i < thicknesses.size(); ++i) {
-    chart.point(thicknesses[i], speeds[i], kColours[0], 3.0);
-    chart.line({thicknesses[i], thicknesses[i]}, ends[i], kColours[0]);
+    chart.point(thicknesses[i], speeds[i], kLineColours[0], 3.0);
+    chart.line({thicknesses[i], thicknesses[i]}, ends[i], kLineColours[0]);
   }
   return chart.svg();
 }
@@ -116,7 +114,7 @@ std::string legend(const Lines& lines, bool has_thrust) {
   };
   std::size_t n = 0;
   for (const auto& [thickness, line] : lines)
-    add(fmt::format("ice of {:g} m; thin: Lindqvist", thickness), kColours[n++ % kColours.size()]);
+    add(fmt::format("ice of {:g} m; thin: Lindqvist", thickness), kLineColours[n++ % kLineColours.size()]);
   if (has_thrust) add("net thrust", kThrustColour);
   return svg;
 }

@@ -226,6 +226,11 @@ ErrorOfMean error_of_mean(std::span<const double> values) {
   return {gsl_stats_variance(values.data(), 1, values.size()) / n, n - 1.0};
 }
 
+/// Of a correlated history.
+ErrorOfMean error_of_mean(const Summary& s) {
+  return {s.standard_deviation * s.standard_deviation / s.effective_sample_size, freedom_of(s)};
+}
+
 }  // namespace
 
 TestResult kendall(std::span<const double> x, std::span<const double> y) {
@@ -312,12 +317,11 @@ MeanComparison compare_means(const std::vector<PairOfGroups>& strata, double con
 }
 
 MeanComparison compare_means(const Summary& a, const Summary& b, double confidence) {
-  const auto variance = [](const Summary& s) {
-    return s.standard_deviation * s.standard_deviation / s.effective_sample_size;
-  };
-  return compare(a.mean - b.mean,
-                 std::array{ErrorOfMean{variance(a), freedom_of(a)}, ErrorOfMean{variance(b), freedom_of(b)}},
-                 confidence);
+  return compare(a.mean - b.mean, std::array{error_of_mean(a), error_of_mean(b)}, confidence);
+}
+
+MeanComparison compare_with_zero(const Summary& differences, double confidence) {
+  return compare(differences.mean, std::array{error_of_mean(differences)}, confidence);
 }
 
 RatioComparison compare_ratio(const Summary& a, const Summary& b, double confidence) {

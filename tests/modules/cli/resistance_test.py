@@ -156,6 +156,16 @@ class Resistance(unittest.TestCase):
             self.assertIn("1.2 m at 4 m/s)", text)
             self.assertIn("the law, and the speeds and the thickness below, are of means that are not steady", text)
 
+    def test_replicates_that_coincide_count_once(self):
+        write_campaign(self.folder)
+        table = self.folder / "campaign.csv"
+        head, *rows = table.read_text().splitlines()
+        rows = [row + (",same-as-a-replicate" if "r0001" in row else ",") for row in rows]
+        table.write_text("\n".join([head + ",warnings", *rows]) + "\n")
+        point = self.json(self.folder)["points"][0]
+        self.assertEqual(point["runs"], 1)
+        self.assertAlmostEqual(point["resistance"] / resistance(0.4, 1.0), 0.95, 12)
+
     def test_files_beside_the_campaign(self):
         write_campaign(self.folder)
         self.run_command(self.folder, "--bollard-pull", 6e5, "--open-water-speed", 8)
@@ -204,6 +214,11 @@ class Resistance(unittest.TestCase):
                                  ((SOURCE / "experiments/ships/free.toml", *grid), 'kind = "towed"'),
                                  ((self.folder / "none.toml", *grid), "none.toml")):
             self.assertIn(words, self.run_command(*arguments, code=2))
+        write_campaign(self.folder / "ship")
+        self.assertIn("--speed has no effect", " ".join(self.run_command(self.folder / "ship", "--speed", 2, code=2).replace(":", "").split()))
+        for setting in (self.folder / "ship/settings").iterdir():
+            setting.write_text(cone.read_text())
+        self.assertIn("without [hull] length", self.run_command(self.folder / "ship", code=2))
         (self.folder / "cases").mkdir()
         self.assertIn("campaign", self.run_command(self.folder, code=2))
 

@@ -33,6 +33,9 @@ void begin_as_run(HistoryChoice& choice, const std::string& history);
 /// @throws InputError when `folder` has no such table.
 std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder);
 
+/// The same without replicates that coincide with an earlier one, for statistics.
+std::map<std::string, std::vector<std::string>> counted_cases(const std::string& folder);
+
 /// Whether a case of a campaign's table coincides with an earlier replicate. A table alone need not say so.
 bool is_repeated(const TextTable& table, const TextTable::Row& row);
 

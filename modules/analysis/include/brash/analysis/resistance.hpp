@@ -11,7 +11,7 @@
 
 namespace brash::analysis {
 
-inline constexpr double kThreeKnots = 3.0 * 1852.0 / 3600.0;  // [m/s], the speed of many icebreakers' ratings
+inline constexpr double kThreeKnots = 3.0 * 1852.0 / 3600.0;  // [m/s]
 
 /// A grid for the resistance of a ship.
 struct ResistanceGrid {
@@ -63,7 +63,8 @@ class NetThrust {
 /// Means
 ///   are joined by straight lines, and nothing is extrapolated.
 ///
-/// @throws InputError when `campaign` is not a finished campaign of a ship, or varies other keys.
+/// @throws InputError when `campaign` is not a campaign of a ship with finished cases, or has two settings of one
+///         thickness and speed.
 nlohmann::ordered_json resistance_of(const std::string& campaign, const std::optional<NetThrust>& thrust,
                                      double at_speed);
 

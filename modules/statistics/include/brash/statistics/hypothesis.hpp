@@ -60,6 +60,9 @@ MeanComparison compare_means(const std::vector<PairOfGroups>& strata, double con
 /// Two correlated histories: their effective sample sizes take the place of the counts.
 MeanComparison compare_means(const Summary& a, const Summary& b, double confidence = 0.95);
 
+/// Mean of one correlated history against zero, such as of the differences of two paired histories.
+MeanComparison compare_with_zero(const Summary& differences, double confidence = 0.95);
+
 /// Ratio of two positive quantities with its interval, and the test that it is one.
 struct RatioComparison {
   double ratio = 1.0;  ///< of a over b
