@@ -164,7 +164,7 @@ time.sleep(0.5)
                      f"brash.campaign({str(plan)!r}, {str(self.path / 'campaign')!r}, jobs=1)",
                      "brash.FailureModel('fem')(b_lc=np.full(10**5, 0.3), c_lc=0.3, theta=1.0, mu1=0.5, mu2=0.0)",
                      "brash.IceSheet([[0, 0], [9, 0], [9, 9], [0, 9]]).contains(np.full((5 * 10**7, 2), 4.0))",
-                     "brash.kendall(np.random.rand(10**6), np.random.rand(10**6))",
+                     "brash.kendall(np.random.rand(10**7), np.random.rand(10**7))",
                      "brash.bootstrap_interval(np.arange(1e5), np.mean, n_resamples=10**6)"):
             with self.subTest(call):
                 process = subprocess.Popen([sys.executable, "-c", f"""
