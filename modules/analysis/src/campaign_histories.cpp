@@ -14,6 +14,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/run_summary.hpp"
 
 namespace brash::analysis {
@@ -59,6 +60,13 @@ std::map<std::string, std::vector<std::string>> done_cases_of(const std::string&
 }
 
 }  // namespace
+
+std::optional<model::Case> case_of_setting(const std::string& campaign, const std::string& setting) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(campaign + "/settings", ignored))
+    if (entry.path().stem().string().ends_with("_" + setting)) return io::read_case(entry.path().string(), {});
+  return std::nullopt;
+}
 
 bool is_campaign(const std::string& folder) {
   std::error_code ignored;
@@ -107,7 +115,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
   std::vector<std::string> names;
   std::map<std::string, std::vector<std::string>> done = counted_cases(folder);
   for (const ordered_json& given : read_settings(folder)) {
-    SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
+    SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}, {}};
     names.push_back(setting.name);
     if (!where.empty() && fnmatch(where.c_str(), setting.name.c_str(), 0) != 0) continue;
     for (const std::string& name : done[setting.name])
@@ -115,6 +123,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
     if (setting.replicates.empty())
       throw InputError(Complaint{folder, fmt::format("setting '{}' has no case that is done", printable(setting.name)),
                                  "one case of each setting at least", kResume});
+    setting.resolved = case_of_setting(folder, setting.name);
     settings.push_back(std::move(setting));
   }
   if (settings.empty())

@@ -166,6 +166,10 @@ tl::expected<standards::CrushingLoad, standards::NotApplicable> crushing_of(cons
   return standards::global_crushing(crushing_input(c, coefficient));
 }
 
+double full_crushing_of(const model::Case& c) {
+  return c.ice.compressive_strength * slope_of(c).width * c.ice.thickness;
+}
+
 tl::expected<standards::RidgeInput, standards::NotApplicable> ridge_input_of(const model::Case& c) {
   const Slope slope = slope_of(c);
   if (!is_vertical(slope.angle))

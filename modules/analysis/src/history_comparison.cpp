@@ -267,12 +267,6 @@ bool acts_downwards(const ordered_json& side) {
                                     side["maximum"].get<double>());
 }
 
-/// "p = 0.034"; what is far below any test's own accuracy is a bound.
-std::string p_text(double p) {
-  constexpr double kLeast = 1e-6;
-  return p < kLeast ? fmt::format("p < {:g}", kLeast) : fmt::format("p = {:.2g}", p);
-}
-
 std::string ratio_row(const char* name, const ordered_json& out, const char* key) {
   if (!out.contains(key) || !out[key].contains("ratio")) return fmt::format("  {:<20} cannot be compared\n", name);
   const ordered_json& c = out[key];

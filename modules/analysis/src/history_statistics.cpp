@@ -180,7 +180,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
   out["peaks"] = peaks_json(extremes.values);
   add_extremes(extremes, out);
   out["spectrum_peak"] = spectral_peak(load, settings.segment);
-  out["fatigue"] = fatigue_json({&load}, settings.exponents, extremes.values.block, settings.frequency);
+  out["fatigue"] = fatigue_json({&load}, settings.exponents, extremes.values.shortest_block, settings.frequency);
   return out;
 }
 

@@ -106,23 +106,17 @@ struct Point {
   }
 };
 
-/// The resolved case of a setting of a campaign.
-model::Case case_of(const std::string& campaign, const std::string& setting) {
-  const fs::path folder = fs::path(campaign) / "settings";
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().stem().string().ends_with("_" + setting)) return io::read_case(entry.path().string(), {});
-  throw InputError(Complaint{folder.string(), fmt::format("holds no case of the setting {}", setting),
-                             "the resolved cases that a campaign leaves", "run the campaign with `--resume`"});
-}
-
 std::vector<Point> read_points(const std::string& campaign) {
   if (!is_campaign(campaign))
     throw InputError(Complaint{campaign, "is not a campaign: it has no folder cases/", "a case file, or such a folder",
                                "`brash resistance CASE -o FOLDER` makes one"});
   std::vector<Point> points;
   for (const auto& [setting, cases] : counted_cases(campaign)) {
-    Point point{setting, case_of(campaign, setting), {}};
+    const auto resolved = case_of_setting(campaign, setting);
+    if (!resolved)
+      throw InputError(Complaint{campaign, fmt::format("holds no case of the setting {}", setting),
+                                 "the resolved cases that a campaign leaves", "run the campaign with `--resume`"});
+    Point point{setting, *resolved, {}};
     if (!point.resolved.hull.length)
       throw InputError(Complaint{campaign, "is of a structure without [hull] length", "a campaign of a ship",
                                  "`brash resistance CASE -o FOLDER` makes one"});

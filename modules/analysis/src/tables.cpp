@@ -91,6 +91,11 @@ TableUnit unit_for(std::span<const double> values, const char* si) {
   return largest >= 1.0 ? TableUnit{1.0, si} : TableUnit{1e-3, fmt::format("m{}", si)};
 }
 
+std::string p_text(double p) {
+  constexpr double kLeast = 1e-6;
+  return p < kLeast ? fmt::format("p < {:g}", kLeast) : fmt::format("p = {:.2g}", p);
+}
+
 nlohmann::ordered_json estimate_json(const statistics::Estimate& e) {
   return {{"value", e.value}, {"interval_95", {e.interval.lower, e.interval.upper}}};
 }

@@ -13,13 +13,13 @@
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "stats_commands.hpp"
-#include "time_span.hpp"
 
 namespace brash::cli {
 namespace {
 
 struct DesignOptions {
-  std::string campaign, where, picture;
+  std::string campaign, where, picture, scatter;
+  std::vector<double> annual;
   analysis::HistoryChoice choice;
   analysis::DesignSettings asked;
   double dead_band = 0.0;
@@ -33,12 +33,15 @@ void add_questions(CLI::App& command, DesignOptions& o) {
       ->check(CLI::Range(1e-3, 1e9))
       ->capture_default_str();
   CLI::Option* scatter =
-      command.add_option("--scatter", o.asked.scatter, "CSV of varied keys in SI and `hours` a year, one line a state");
-  command.add_option("--annual", o.asked.annual, "annual probabilities of exceedance, with --scatter")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->check(CLI::Range(1e-9, 0.5))
+      command.add_option("--scatter", o.scatter, "CSV of varied keys in SI and `hours` a year, one line a state");
+  command.add_option("--years", o.asked.years, "return periods over all states of the table [years]")
+      ->delimiter(',')
+      ->check(CLI::Range(0.1, 1e7))
       ->capture_default_str()
+      ->needs(scatter);
+  command.add_option("--annual", o.annual, "annual probabilities of exceedance, beside the years")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-7, 0.99))
       ->needs(scatter);
   CLI::Option* exponent =
       command.add_option("--exponent", o.asked.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
@@ -49,17 +52,6 @@ void add_questions(CLI::App& command, DesignOptions& o) {
       ->check(CLI::Range(1e-9, 1e9))
       ->capture_default_str()
       ->needs(exponent);
-}
-
-void add_ways(CLI::App& command, DesignOptions& o) {
-  command.add_flag("--extrapolate", o.asked.extremes.extrapolate,
-                   "give levels for more than 30 times the record, marked");
-  command
-      .add_option("--block", o.asked.extremes.block,
-                  "of block maxima [s] [20 autocorrelation times, 5 load cycles at least]")
-      ->check(time_span());
-  command.add_option("--dead-band", o.dead_band, "of load events, in deviations [5 x the noise floor]")
-      ->check(CLI::Range(0.0, 100.0));
 }
 
 }  // namespace
@@ -75,7 +67,8 @@ void add_design_command(CLI::App& app) {
   command->add_option("--from", options->choice.from, "leave out what is earlier [s] [as each run's summary]");
   command->add_option("--where", options->where, "only settings whose name matches, such as 'angle-50deg_*'");
   add_questions(*command, *options);
-  add_ways(*command, *options);
+  command->add_option("--dead-band", options->dead_band, "of load events, in deviations [5 x the noise floor]")
+      ->check(CLI::Range(0.0, 100.0));
   command->add_option("-o,--output", options->picture, "also draw the levels to this SVG or PNG file");
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash design results/thickness --hours 0.1 --scatter states.csv --exponent 5");
@@ -85,9 +78,11 @@ void add_design_command(CLI::App& app) {
     o.choice.notes = say_note;
     if (command->count("--dead-band") > 0) o.asked.extremes.dead_band = o.dead_band;
     io::refuse_replacing_results(o.picture);
-    if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
+    if (!o.scatter.empty()) refuse_overwriting(o.picture, {o.scatter});
     check_picture_name(o.picture);
     const auto settings = analysis::read_campaign_histories(io::folder_of(o.campaign), o.choice, o.where);
+    if (!o.scatter.empty()) o.asked.hours_a_year = analysis::read_scatter(o.scatter, settings);
+    for (const double probability : o.annual) o.asked.years.push_back(analysis::years_of(probability));
     const analysis::Design design = analysis::design_of(settings, o.asked);
     if (!o.picture.empty()) write_picture(o.picture, report::design_picture(design, o.asked));
     print_data(o.json ? design.json.dump(2) + "\n" : escaped_lines(analysis::design_text(design.json)));

@@ -257,29 +257,55 @@ py::object compare(const py::object& run, const py::object& measured) {
   });
 }
 
+/// Questions of `brash design`, from arguments that both calls share.
+analysis::DesignSettings design_settings(const std::vector<double>& hours, const std::vector<double>& years,
+                                         const std::vector<double>& exponents, double frequency) {
+  analysis::DesignSettings asked;
+  for (const double h : hours) require(h >= 1e-3 && h <= 1e9, "hours", h, "from 1e-3 to 1e9");
+  for (const double y : years) require(y >= 0.1 && y <= 1e7, "years", y, "from 0.1 to 1e7");
+  for (const double m : exponents) require(m >= 1.0 && m <= 20.0, "exponents", m, "from 1 to 20");
+  require(frequency > 0.0 && frequency < 1e9, "frequency", frequency, "in (0, 1e9) Hz");
+  asked.hours = hours;
+  asked.years = years;
+  asked.exponents = exponents;
+  asked.frequency = frequency;
+  return asked;
+}
+
 py::object design(const py::object& campaign, const std::string& column, const std::vector<double>& hours,
-                  const py::object& scatter, const std::vector<double>& annual, const std::vector<double>& exponents,
-                  double frequency, const std::string& where, bool extrapolate) {
+                  const py::object& scatter, const std::vector<double>& years, const std::vector<double>& exponents,
+                  double frequency, const std::string& where) {
   return with_arguments_of("design", [&] {
-    analysis::DesignSettings asked;
-    if (hours.empty() || annual.empty()) throw InputError("design: hours and annual need a number each at least");
-    for (const double h : hours) require(h >= 1e-3 && h <= 1e9, "hours", h, "from 1e-3 to 1e9");
-    for (const double p : annual) require(p >= 1e-9 && p <= 0.5, "annual", p, "from 1e-9 to 0.5");
-    for (const double m : exponents) require(m >= 1.0 && m <= 20.0, "exponents", m, "from 1 to 20");
-    require(frequency > 0.0 && frequency < 1e9, "frequency", frequency, "in (0, 1e9) Hz");
-    asked.hours = hours;
-    asked.annual = annual;
-    asked.exponents = exponents;
-    asked.frequency = frequency;
-    asked.extremes.extrapolate = extrapolate;
-    if (!scatter.is_none()) asked.scatter = path_of(scatter);
+    analysis::DesignSettings asked = design_settings(hours, years, exponents, frequency);
     analysis::HistoryChoice choice;
     choice.column = column;
     choice.notes = say_note;
-    const std::string folder = path_of(campaign);
+    const std::string folder = path_of(campaign), table = scatter.is_none() ? "" : path_of(scatter);
     return from_json(unlocked([&] {
-      return analysis::design_of(analysis::read_campaign_histories(folder, choice, where), asked).json.dump();
+      const auto settings = analysis::read_campaign_histories(folder, choice, where);
+      if (!table.empty()) asked.hours_a_year = analysis::read_scatter(table, settings);
+      return analysis::design_of(settings, asked).json.dump();
     }));
+  });
+}
+
+py::object return_levels(const py::dict& states, const std::vector<double>& years) {
+  return with_arguments_of("return_levels", [&] {
+    analysis::DesignSettings asked = design_settings({}, years, {}, 1.0);
+    std::vector<analysis::SettingHistories> settings;
+    for (const auto& [name, state] : states) {
+      const auto pair = py::reinterpret_borrow<py::object>(state);
+      if (!py::isinstance<py::tuple>(pair) || py::len(pair) != 2)
+        throw InputError("return_levels: a state is (hours a year, a history or a list of them)");
+      const auto hours = pair[py::int_(0)].cast<double>();
+      require(hours >= 0.0 && hours <= 8784.0, "hours a year", hours, "from 0 to 8784");
+      settings.push_back({py::str(name).cast<std::string>(), {}, loads_of(pair[py::int_(1)]), {}});
+      asked.hours_a_year.push_back(hours);
+    }
+    if (settings.empty()) throw InputError("return_levels: one state at least");
+    for (const analysis::SettingHistories& setting : settings)
+      expect_same_unit(settings.front().replicates.front(), setting.replicates.front());
+    return from_json(unlocked([&] { return analysis::design_of(settings, asked).json.dump(); }));
   });
 }
 
@@ -334,9 +360,14 @@ void add_load_histories(py::module_& m) {
         "All that `brash compare --json` prints; a list of histories on a side are replicates. Different units, the "
         "attrs[\"units\"] of an xarray.DataArray, are refused.");
   m.def("design", &design, "campaign"_a, "column"_a = "Fx", "hours"_a = std::vector<double>{1.0},
-        "scatter"_a = py::none(), "annual"_a = std::vector<double>{1e-2, 1e-4}, "exponents"_a = std::vector<double>(),
-        "frequency"_a = 1.0, "where"_a = "", "extrapolate"_a = false,
+        "scatter"_a = py::none(), "years"_a = std::vector<double>{1.0, 10.0, 50.0, 100.0},
+        "exponents"_a = std::vector<double>(), "frequency"_a = 1.0, "where"_a = "",
         "Design loads of a campaign's folder, as `brash design --json`.");
+  m.def("return_levels", &return_levels, "states"_a, "years"_a = std::vector<double>{1.0, 10.0, 50.0, 100.0},
+        "Loads that are exceeded once in so many years, with 95 % intervals, as `annual` of `brash design --json`. "
+        "states: {name: (hours a year, history or list of histories)}; a list is replicates. One Pareto shape is "
+        "fitted to the peaks of all states. A history is a pandas.Series whose index is time [s], an xarray.DataArray "
+        "along time, or (times, values).");
   m.def("resistance", &resistance, "campaign"_a, "bollard_pull"_a = py::none(), "open_water_speed"_a = py::none(),
         "thrust"_a = py::none(), "at_speed"_a = analysis::kThreeKnots,
         "Resistance of a ship from the folder of a campaign over thickness and speed, as `brash resistance --json`, in "

@@ -26,15 +26,14 @@ struct Levels {
   Samples hours, level, lower, upper;
 };
 
-Levels levels_of(const ExtremeAnalysis& e, double last) {
+Levels levels_of(const analysis::Design& design, const analysis::DesignState& state, double last) {
   constexpr int kPoints = 14;
   Levels out;
-  if (!e.recommended) return out;
-  const ExtremeEstimate& law = e.of(*e.recommended);
-  const double first = 1.2 / law.rate / kHour;
+  if (!design.tail || !state.in_tail) return out;
+  const double first = 1.2 * state.extremes.duration / kHour / static_cast<double>(state.extremes.over.size());
   for (int i = 0; i < kPoints; ++i) {
     const double hours = first * std::pow(last / first, i / (kPoints - 1.0));
-    const auto level = level_of(law, kHour * hours);
+    const auto level = design.tail->level(design.exposure(state, hours));
     if (!level) continue;
     out.hours.push_back(hours);
     out.level.push_back(level->value);
@@ -44,18 +43,11 @@ Levels levels_of(const ExtremeAnalysis& e, double last) {
   return out;
 }
 
-/// Where the curve of a state ends: no level is given beyond what its record can support.
-double last_hours(const analysis::DesignState& state, const analysis::DesignSettings& asked) {
-  const double wanted = 1.5 * *std::ranges::max_element(asked.hours);
-  return asked.extremes.extrapolate ? wanted
-                                    : std::min(wanted, kLongestPeriod * state.extremes.values.duration / kHour);
-}
-
 std::string exposure_chart(const analysis::Design& design, const analysis::DesignSettings& asked) {
   std::vector<Levels> all;
   double first = INFINITY, last = 0.0, low = INFINITY, high = 0.0;
   for (const analysis::DesignState& state : design.states) {
-    all.push_back(levels_of(state.extremes, last_hours(state, asked)));
+    all.push_back(levels_of(design, state, 1.5 * std::ranges::max(asked.hours)));
     if (all.back().hours.empty()) continue;
     last = std::max(last, all.back().hours.back());
     first = std::min(first, all.back().hours.front());
@@ -74,30 +66,32 @@ std::string exposure_chart(const analysis::Design& design, const analysis::Desig
   return chart.svg();
 }
 
+/// The level over the return period, with the crushing of all contacts where the cases are known.
 std::string years_chart(const analysis::Design& design, const analysis::DesignSettings& asked) {
-  if (!design.long_term) return "";
-  constexpr int kPoints = 14;
-  const double first = 0.5, last = 0.5 * *std::ranges::min_element(asked.annual);
-  Samples probability, level, lower, upper;
+  if (!design.json.contains("annual") || !design.json["annual"].is_array()) return "";
+  constexpr int kPoints = 20;
+  const auto [shortest, longest] = std::ranges::minmax(asked.years);
+  const double first = 0.5 * shortest, last = 2.0 * longest;
+  Samples years, level, lower, upper;
   for (int i = 0; i < kPoints; ++i) {
-    // The rarest is the last that the curves know.
-    const double p = std::max(first * std::pow(last / first, i / (kPoints - 1.0)), 2.0 * last);
-    const Estimate at = design.long_term->level(p);
-    probability.push_back(p);
-    level.push_back(at.value);
-    lower.push_back(at.interval.lower);
-    upper.push_back(std::min(at.interval.upper, 3.0 * at.value));
+    const double period = first * std::pow(last / first, i / (kPoints - 1.0));
+    const auto at = design.tail->level(design.exposure(period));
+    if (!at) continue;
+    years.push_back(period);
+    level.push_back(at->value);
+    lower.push_back(at->interval.lower);
+    upper.push_back(at->interval.upper);
   }
-  const double high = std::max(1.1 * level.back(), std::min(upper.back(), 2.0 * level.back()));
-  Chart chart(575.0, 30.0, 380.0, 300.0, "level of an annual probability, 95 %", {label(design), lower.front(), high},
-              {"annual probability", last, 1.0, true});
-  // The band lies between two curves of the level: its outline goes along one and back along the other.
-  Samples x = lower, y = probability;
-  x.insert(x.end(), upper.rbegin(), upper.rend());
-  y.insert(y.end(), probability.rbegin(), probability.rend());
-  chart.area(x, y, kLineColours[0]);
-  chart.line(level, probability, kLineColours[0], 1.5);
-  for (const double p : asked.annual) chart.line({lower.front(), high}, {p, p}, "#777");
+  if (years.size() < 2) return "";
+  const double high = std::min(1.05 * upper.back(), 3.0 * level.back());
+  for (double& end : upper) end = std::min(end, high);
+  Chart chart(575.0, 30.0, 380.0, 300.0, "level of a return period, 95 %", {"return period [years]", first, last, true},
+              {label(design), 0.0, high});
+  chart.band(years, lower, upper, kLineColours[0]);
+  chart.line(years, level, kLineColours[0], 1.5);
+  for (const double period : asked.years) chart.line({period, period}, {0.0, high}, "#bbb");
+  if (design.json.contains("full_crushing"))
+    chart.line({first, last}, std::vector<double>(2, design.json["full_crushing"]["horizontal"].get<double>()), "#c00");
   return chart.svg();
 }
 

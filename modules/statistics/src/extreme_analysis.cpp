@@ -30,13 +30,18 @@ bool is_short(const ExtremeValues& v) {
   return v.n_events < kFewestEvents || (v.maxima.size() < kFewestMaxima && v.over.size() < kFewestForShape);
 }
 
-/// The reason of a short record, with a length that suffices.
+/// The rule that a short record fails, with a length that suffices. Replicates lose the ends of their blocks.
 std::string reason_of_short(const ExtremeValues& v) {
   const double cycle = v.duration / std::max<double>(1.0, v.n_events);
   const double needed = std::max(kEnoughEvents * cycle, (kFewestMaxima + 1.0) * v.block);
-  return fmt::format(
-      "the record has {} load events in {:.3g} s, too few for the shape of the tail: about {:.3g} s are needed",
-      v.n_events, v.duration, needed);
+  const std::string rule =
+      v.n_events < kFewestEvents
+          ? fmt::format("{} load events in {:.3g} s, and {} are the fewest", v.n_events, v.duration, kFewestEvents)
+          : fmt::format(
+                "{} whole blocks of {:.3g} s and {} separate peaks over the threshold do not show the shape of "
+                "the tail, {} blocks or {} peaks do",
+                v.maxima.size(), v.block, v.over.size(), kFewestMaxima, kFewestForShape);
+  return fmt::format("{}: about {:.3g} s are needed in one record", rule, needed);
 }
 
 /// Why a law cannot be fitted or cannot answer; "" when it can.

@@ -46,11 +46,16 @@ double threshold_of(std::vector<double> peaks) {
   return *at;
 }
 
+/// Maxima and damages of stretches as long are about independent.
+double shortest_block(const ExtremeValues& values, double memory) {
+  return std::max(kBlockInMemories * memory, std::isfinite(values.cycle) ? kBlockInCycles * values.cycle : 0.0);
+}
+
 /// Blocks grow with the record, so that their maxima come nearer to the laws of extremes as their number grows.
-double default_block(const ExtremeValues& values, double memory) {
-  if (!std::isfinite(values.cycle)) return kBlockInMemories * memory;
+double default_block(const ExtremeValues& values) {
+  if (!std::isfinite(values.cycle)) return values.shortest_block;
   const double growing = 0.25 * std::pow(static_cast<double>(values.n_events), 2.0 / 3.0);
-  return std::max(kBlockInMemories * memory, std::max(kBlockInCycles, growing) * values.cycle);
+  return std::max(values.shortest_block, growing * values.cycle);
 }
 
 /// Peaks of events over the threshold; the largest of those that follow each other within `separation`.
@@ -66,6 +71,9 @@ void add_over(const std::vector<LoadEvent>& events, ExtremeValues& values) {
     any = true;
     last = event.peak_time;
   }
+  std::size_t earlier = 0;
+  for (const std::size_t n : values.over_of) earlier += n;
+  values.over_of.push_back(values.over.size() - earlier);
 }
 
 /// Largest value of each whole block of an uneven piece. As in an even one, its last sample represents a step.
@@ -146,7 +154,8 @@ ExtremeValues extreme_values(const std::vector<ExtremeRecord>& records, const Ex
   values.cycle = values.n_events < 2 ? INFINITY : values.duration / static_cast<double>(values.n_events);
   values.separation = 2.0 * memory;
   values.threshold = settings.threshold.value_or(threshold_of(values.peaks));
-  values.block = settings.block > 0.0 ? settings.block : default_block(values, memory);
+  values.shortest_block = settings.block > 0.0 ? settings.block : shortest_block(values, memory);
+  values.block = settings.block > 0.0 ? settings.block : default_block(values);
   for (std::size_t i = 0; i < records.size(); ++i) {
     add_over(events[i], values);
     add_maxima(records[i], values);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "brash/analysis/design.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/statistics/random.hpp"
 #include "studies.hpp"
 
@@ -21,6 +18,7 @@ using namespace statistics;
 constexpr int kReplicates = 6, kCycles = 40;
 constexpr double kHour = 3600.0;   // [s]
 constexpr double kAnnual = 0.1;    // probability that is asked for
+constexpr double kYears = 50.0;    // return period that is asked for
 constexpr double kExponent = 5.0;  // of equivalent loads
 constexpr double kExposure = 2.0;  // [h], 30 times the replicates of a state
 /// Loads of the three states, as factors, and the hours that they last a year.
@@ -36,14 +34,14 @@ double exceedance(const Process& process, double level) {
   return std::exp(high);
 }
 
-double annual_level(const Process& process, double cycle) {
+double level_of_years(const Process& process, double cycle, double years) {
   double low = 0.0, high = 1e5;
   for (int i = 0; i < 80; ++i) {
     const double middle = 0.5 * (low + high);
     double expected = 0.0;
     for (std::size_t s = 0; s < kScales.size(); ++s)
       expected += kHour * kHours[s] / cycle * exceedance(process, middle / kScales[s]);
-    (expected > -std::log1p(-kAnnual) ? low : high) = middle;
+    (expected > 1.0 / years ? low : high) = middle;
   }
   return high;
 }
@@ -61,7 +59,7 @@ double equivalent_load(const Process& process, double cycle) {
 std::vector<analysis::SettingHistories> campaign(const Process& process, RandomStream& stream) {
   std::vector<analysis::SettingHistories> settings;
   for (std::size_t s = 0; s < kScales.size(); ++s) {
-    settings.push_back({fmt::format("state-{}", s), {{"ice.thickness", kScales[s]}}, {}});
+    settings.push_back({fmt::format("state-{}", s), {{"ice.thickness", kScales[s]}}, {}, {}});
     for (int r = 0; r < kReplicates; ++r)
       settings.back().replicates.push_back(record(process, kCycles, stream, kScales[s]));
   }
@@ -72,17 +70,12 @@ std::vector<analysis::SettingHistories> campaign(const Process& process, RandomS
 
 void study_design(const Process& process, int records, Table& table) {
   const double cycle = mean_cycle();
-  const double level = annual_level(process, cycle), load = equivalent_load(process, cycle);
-  const std::string scatter =
-      (std::filesystem::temp_directory_path() / fmt::format("brash-coverage-{}.csv", ::getpid())).string();
-  std::string rows = "ice.thickness,hours\n";
-  for (std::size_t s = 0; s < kScales.size(); ++s) rows += fmt::format("{},{}\n", kScales[s], kHours[s]);
-  write_file(scatter, rows);
+  const double load = equivalent_load(process, cycle);
   analysis::DesignSettings asked;
   asked.hours = {kExposure};
-  asked.annual = {kAnnual};
+  asked.years = {analysis::years_of(kAnnual), kYears};
   asked.exponents = {kExponent};
-  asked.scatter = scatter;
+  asked.hours_a_year.assign(kHours.begin(), kHours.end());
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "design");
     const auto settings = campaign(process, stream);
@@ -93,11 +86,16 @@ void study_design(const Process& process, int records, Table& table) {
         table.add(process.name, "design: level of an exposure", exposed["level_95"],
                   kScales[s] * process.peak(cycle / (kHour * kExposure)));
     }
-    if (found["annual"].is_array())
-      table.add(process.name, "design: annual level of three states", found["annual"][0]["level_95"], level);
+    if (!found["annual"].is_array()) continue;
+    for (const auto& annual : found["annual"]) {
+      const double years = annual["years"];
+      const double truth = level_of_years(process, cycle, years);
+      const bool far = years > kYears / 2.0;
+      table.add(process.name, far ? "design: level of fifty years" : "design: annual level of three states",
+                annual["level_95"], truth);
+    }
     table.add(process.name, "design: equivalent load of three states", found["fatigue"][0]["equivalent_load_95"], load);
   }
-  std::filesystem::remove(scatter);
 }
 
 }  // namespace brash::coverage

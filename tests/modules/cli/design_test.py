@@ -5,7 +5,6 @@ import math
 import os
 import pathlib
 import random
-import re
 import shutil
 import struct
 import subprocess
@@ -28,22 +27,26 @@ def sawtooth(excess, generator):
     return "\n".join(lines) + "\n"
 
 
+def write_campaign(folder, replicates):
+    generator = random.Random(7)
+    for name, (_, excess) in SETTINGS.items():
+        for replicate in range(replicates):
+            run = folder / "cases" / f"{name}-r{replicate:04d}"
+            run.mkdir(parents=True)
+            (run / "history.csv").write_text(sawtooth(excess, generator))
+            (run / "summary.json").write_text('{"statistics_from": 0.0}')
+    settings = [{"setting": name, "values": {"ice.thickness": thickness}} for name, (thickness, _) in SETTINGS.items()]
+    (folder / "summary.json").write_text(json.dumps({"settings": settings}))
+    rows = [f"{name}-r{i:04d},{name},{i},done" for name in SETTINGS for i in range(replicates)]
+    (folder / "campaign.csv").write_text("\n".join(["case,setting,replicate,status", *rows]) + "\n")
+
+
 class Design(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.place.name)
-        generator = random.Random(7)
-        for name, (_, excess) in SETTINGS.items():
-            for replicate in range(3):
-                run = cls.folder / "cases" / f"{name}-r{replicate:04d}"
-                run.mkdir(parents=True)
-                (run / "history.csv").write_text(sawtooth(excess, generator))
-                (run / "summary.json").write_text('{"statistics_from": 0.0}')
-        settings = [{"setting": name, "values": {"ice.thickness": thickness}} for name, (thickness, _) in SETTINGS.items()]
-        (cls.folder / "summary.json").write_text(json.dumps({"settings": settings}))
-        rows = [f"{name}-r{i:04d},{name},{i},done" for name in SETTINGS for i in range(3)]
-        (cls.folder / "campaign.csv").write_text("\n".join(["case,setting,replicate,status", *rows]) + "\n")
+        write_campaign(cls.folder, 3)
 
     @classmethod
     def tearDownClass(cls):
@@ -96,8 +99,8 @@ class Design(unittest.TestCase):
 
     def test_a_scatter_table_weighs_the_states(self):
         table = self.scatter("ice.thickness,hours\n0.3,100\n0.6,2\n")
-        found = json.loads(self.design("--scatter", table, "--annual", 0.5, "--annual", 0.01, "--extrapolate", "--json",
-                                       "--exponent", 4))
+        found = json.loads(self.design("--scatter", table, "--years", "1,50", "--annual", 0.01, "--json", "--exponent", 4))
+        self.assertEqual([round(level["years"], 2) for level in found["annual"]], [1, 50, 99.5])
 
         def rate(x):
             return sum(3600 * h * math.exp(-(x - 100.0) / e) for h, e in ((100, 40.0), (2, 80.0)))
@@ -109,7 +112,7 @@ class Design(unittest.TestCase):
                 low, high = (middle, high) if rate(middle) > -math.log1p(-level["probability"]) else (low, middle)
             self.assertLess(level["level_95"][0], low)
             self.assertGreater(level["level_95"][1], low)
-            self.assertGreater(level["shares"]["thick"], 0.5)  # thicker ice decides, though it is rare
+            self.assertGreater(level["shares"]["thick"], 0.9)  # thicker ice decides, though it is rare
             self.assertAlmostEqual(sum(level["shares"].values()), 1.0)
         loads = [state["fatigue"][0]["equivalent_load"] for state in found["settings"]]
         pooled = ((100 * loads[0]**4 + 2 * loads[1]**4) / 102)**0.25
@@ -117,29 +120,58 @@ class Design(unittest.TestCase):
 
     def test_a_scatter_table_of_a_spreadsheet_begins_with_a_byte_order_mark(self):
         text = "ice.thickness,hours\r\n0.3,100\r\n0.6,2\r\n"
-        plain, marked = (self.design("--scatter", self.scatter(mark + text), "--extrapolate") for mark in ("", "\ufeff"))
-        self.assertIn("all states", plain)
+        plain, marked = (self.design("--scatter", self.scatter(mark + text)) for mark in ("", "\ufeff"))
+        self.assertIn("all settings", plain)
         self.assertEqual(marked, plain)
+
+    def years(self, scatter, *arguments):
+        return json.loads(self.design("--scatter", self.scatter(scatter), "--json", *arguments))["annual"]
 
     def test_one_state_alone_has_the_level_of_its_hours(self):
         table = self.scatter("ice.thickness,hours\n0.6,1\n")
-        probability = 1.0 - math.exp(-0.25)  # once in four hours of the state
-        found = json.loads(self.design("--scatter", table, "--annual", probability, "--hours", 4, "--json"))
+        found = json.loads(self.design("--scatter", table, "--years", 4, "--hours", 4, "--json"))
         level = found["settings"][1]["levels"][0]
-        self.assertAlmostEqual(found["annual"][0]["level"] / level["level"], 1.0, places=9)
-        # The curves of the bounds are straight between 64 points.
-        for end in (0, 1):
-            self.assertAlmostEqual(found["annual"][0]["level_95"][end] / level["level_95"][end], 1.0, delta=0.01)
+        for key in ("level", "level_95", "records"):
+            self.assertEqual(found["annual"][0][key], level[key])
 
-    def test_a_century_is_refused_or_marked(self):
+    def test_twice_the_hours_is_twice_the_period(self):
+        once, twice = (self.years(f"ice.thickness,hours\n0.3,{hours}\n0.6,{hours / 10}\n", "--years", years)[0]
+                       for hours, years in ((200, 50), (400, 25)))
+        self.assertAlmostEqual(once["level"] / twice["level"], 1.0, places=9)
+        longer = self.years("ice.thickness,hours\n0.3,400\n0.6,40\n", "--years", "50")[0]
+        self.assertGreater(longer["level"], once["level"])
+
+    def test_a_state_that_is_left_out_takes_its_share(self):
+        both = self.years("ice.thickness,hours\n0.3,500\n0.6,50\n", "--years", 50)[0]
+        thick = self.years("ice.thickness,hours\n0.6,50\n", "--years", 50)[0]
+        thin = self.years("ice.thickness,hours\n0.3,500\n", "--years", 50)[0]
+        self.assertLess(abs(both["level"] / thick["level"] - 1), 0.01)  # thin ice has 1 % of the exceedances
+        self.assertLess(thin["level"], 0.7 * both["level"])
+
+    def test_four_times_the_replicates_halve_the_interval_of_the_shape(self):
+        widths = []
+        for replicates in (4, 16):
+            with tempfile.TemporaryDirectory() as place:
+                write_campaign(pathlib.Path(place), replicates)
+                done = subprocess.run([BRASH, "design", place, "--json"], capture_output=True, text=True)
+                low, high = json.loads(done.stdout)["tail"]["shape_95"]
+                widths.append(high - low)
+        self.assertAlmostEqual(widths[1] / widths[0], 0.5, delta=0.2)  # within the chance of one campaign
+
+    def test_a_century_is_given_and_marked(self):
         table = self.scatter("ice.thickness,hours\n0.3,500\n0.6,50\n")
-        self.assertIn("all states: no annual level: setting 'thin': 500 hours a year ask for", self.design("--scatter", table))
-        self.assertIn("once in 100 h: no level: 300 times the 1200 s of all replicates, and 30 times is the most",
-                      self.design("--hours", 100))
-        marked = self.design("--scatter", table, "--extrapolate").partition("all states")[2]
-        self.assertIn("warning: 1.5e+05 times the record", marked)
-        marked = self.design("--hours", 100, "--extrapolate")
-        self.assertIn("warning: 300 times the record: the level rests on the law more than on data", marked)
+        text = self.design("--scatter", table)
+        self.assertIn("% from thick\n", text)
+        self.assertIn("warning: beyond 4 times the histories a level rests on the law more than on data", text)
+        self.assertIn("`replicates = 12` in the plan", text)
+
+    def test_few_load_events_have_no_level(self):
+        for run in (self.folder / "cases").glob("*/history.csv"):
+            kept = run.read_text()
+            self.addCleanup(run.write_text, kept)
+            run.write_text("".join(kept.splitlines(True)[:51]))  # five cycles
+        self.assertIn("no level: all states together have", self.design("--hours", 1))
+        self.assertIn("all settings: no level", self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n")))
 
     def test_cases_are_those_that_the_table_counts_as_done(self):
         table = self.folder / "campaign.csv"
@@ -168,16 +200,8 @@ class Design(unittest.TestCase):
 
     def test_a_picture_is_drawn(self):
         picture = self.folder / "design.svg"
-        self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "--extrapolate", "-o", picture)
-        self.assertIn("level of an annual probability", picture.read_text())
-
-    def test_the_picture_has_no_level_that_the_text_refuses(self):
-        picture = self.folder / "refused.svg"
-        self.assertIn("no level: ", self.design("--hours", 1000, "-o", picture))
-        exposures = [float(text) for text in re.findall(r'text-anchor="middle">([0-9.]+)</text>', picture.read_text())]
-        self.assertEqual(max(exposures), 10)  # 30 times the 1200 s of three runs
-        self.design("--hours", 1000, "--extrapolate", "-o", picture)
-        self.assertIn(">1000</text>", picture.read_text())
+        self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "-o", picture)
+        self.assertIn("level of a return period", picture.read_text())
 
     @unittest.skipUnless(shutil.which("rsvg-convert"), "rsvg-convert is not installed")
     def test_a_picture_may_be_png(self):

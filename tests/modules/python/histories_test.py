@@ -201,6 +201,26 @@ class Histories(unittest.TestCase):
         with self.assertRaises(brash.InputError):
             brash.design(self.folder / "cases")
 
+    def test_return_levels_are_those_of_a_campaign(self):
+        thin, thick = [[sawtooth(200, excess) for _ in range(4)] for excess in (40.0, 80.0)]
+        found = brash.return_levels({"thin": (100, thin), "thick": (2, thick)}, years=[1, 50])
+        self.assertEqual([level["years"] for level in found["annual"]], [1, 50])
+        for level in found["annual"]:
+            self.assertLess(level["level_95"][0], level["level"])
+            self.assertLess(level["level"], level["level_95"][1])
+            self.assertAlmostEqual(sum(level["shares"].values()), 1.0)
+        # Half the hours have the level in twice the years.
+        half = brash.return_levels({"thin": (50, thin), "thick": (1, thick)}, years=[100])["annual"][0]
+        self.assertAlmostEqual(half["level"] / found["annual"][1]["level"], 1.0, places=9)
+        self.assertEqual(len(brash.return_levels({"thick": (2, thick[0])})["annual"]), 4)
+
+    def test_states_of_return_levels_are_checked(self):
+        load = sawtooth(100)
+        for states, words in (({}, "one state at least"), ({"thin": load[0]}, "hours a year, a history"),
+                              ({"thin": (9000, load)}, "from 0 to 8784")):
+            with self.assertRaisesRegex(brash.InputError, words):
+                brash.return_levels(states)
+
     def test_what_is_no_history_is_refused(self):
         for bad in (3, "text", ([0, 1], [1]), ([1, 0, 2], [1, 2, 3])):
             with self.assertRaises(brash.InputError):

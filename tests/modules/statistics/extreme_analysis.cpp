@@ -85,8 +85,14 @@ BOOST_AUTO_TEST_CASE(a_minute_does_not_answer_for_an_hour) {
 BOOST_AUTO_TEST_CASE(a_record_with_few_events_gets_no_level) {
   const ExtremeAnalysis analysis = analyse(Sawtooth(15), for_period(30.0));
   BOOST_TEST(!analysis.recommended.has_value());
-  BOOST_TEST(contains(analysis.reason, "load events in 15 s, too few for the shape of the tail: about 5"));
+  BOOST_TEST(contains(analysis.reason, "load events in 15 s, and 20 are the fewest: about 5"));
   for (const ExtremeEstimate& e : analysis.estimates) BOOST_TEST(!e.fit.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_rule_that_a_short_record_fails_is_named) {
+  const std::string reason = analyse(Sawtooth(25), for_period(400.0)).reason;
+  BOOST_TEST(
+      contains(reason, "separate peaks over the threshold do not show the shape of the tail, 10 blocks or 30 peaks"));
 }
 
 BOOST_AUTO_TEST_CASE(a_record_of_the_length_that_a_short_one_asks_for_suffices) {
@@ -99,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_record_of_the_length_that_a_short_one_asks_for_suffices) 
     const ExtremeAnalysis enough = analyse(Sawtooth(asked), for_period(400.0));
     BOOST_TEST(enough.values.maxima.size() >= 10U);
     BOOST_TEST(enough.of(Law::kGev).fit.has_value());
-    BOOST_TEST(!contains(enough.reason, "too few"));
+    BOOST_TEST(!contains(enough.reason, "are needed"));
   }
 }
 

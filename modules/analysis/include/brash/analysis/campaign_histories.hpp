@@ -3,11 +3,13 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "brash/analysis/load_history.hpp"
 #include "brash/analysis/tables.hpp"
+#include "brash/model/case.hpp"
 
 namespace brash::analysis {
 
@@ -16,7 +18,11 @@ struct SettingHistories {
   std::string name;               ///< "thickness-0.33m"
   nlohmann::ordered_json values;  ///< of the varied keys: numbers in SI, or text
   std::vector<LoadHistory> replicates;
+  std::optional<model::Case> resolved;  ///< as the campaign left it
 };
+
+/// The resolved case of a setting; nothing when the campaign left none.
+std::optional<model::Case> case_of_setting(const std::string& campaign, const std::string& setting);
 
 /// Whether a folder is a campaign's.
 bool is_campaign(const std::string& folder);

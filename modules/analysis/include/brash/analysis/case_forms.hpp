@@ -23,6 +23,9 @@ tl::expected<standards::NevelLoad, standards::NotApplicable> nevel_of(const mode
 tl::expected<standards::CrushingLoad, standards::NotApplicable> crushing_of(const model::Case& resolved,
                                                                             double strength_coefficient);
 
+/// Compressive strength over the full width and thickness [N]: contacts of the ice of `resolved` bear no more together.
+double full_crushing_of(const model::Case& resolved);
+
 /// Width and densities of `resolved` for a ridge; the ridge's own numbers are 0.
 /// @returns NotApplicable for a face that slopes at the waterline.
 tl::expected<standards::RidgeInput, standards::NotApplicable> ridge_input_of(const model::Case& resolved);

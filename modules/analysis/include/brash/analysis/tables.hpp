@@ -42,6 +42,9 @@ struct TableUnit {
 /// @param si  the unit of the values, such as N. Values that are not finite do not count.
 TableUnit unit_for(std::span<const double> values, const char* si);
 
+/// "p = 0.034"; a value far below any test's own accuracy is a bound.
+std::string p_text(double p);
+
 /// A value with its 95 % interval, as `value` and `interval_95`.
 nlohmann::ordered_json estimate_json(const statistics::Estimate& estimate);
 

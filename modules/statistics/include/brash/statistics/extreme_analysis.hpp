@@ -52,11 +52,13 @@ struct ExtremeValues {
   double dead_band = 0.0;             ///< width, unit of the load
   std::size_t n_events = 0;           ///< load events
   double cycle = 0.0;                 ///< mean time between load events [s]; infinite below two
-  double block = 0.0;                 ///< [s]
+  double block = 0.0;                 ///< of the maxima [s]
+  double shortest_block = 0.0;        ///< stretches as long are about independent [s]
   double threshold = 0.0;             ///< unit of the load
   double separation = 0.0;            ///< peaks over the threshold that are closer are one [s]
   std::vector<double> peaks;          ///< of all load events, shape=(n_events,)
-  std::vector<double> over;           ///< of independent load events over the threshold
+  std::vector<double> over;           ///< of independent load events over the threshold, record after record
+  std::vector<std::size_t> over_of;   ///< how many of them each record has, shape=(n_records,)
   std::vector<double> maxima;         ///< of blocks that lie within a record
   std::optional<Clipping> clipping;   ///< of the record whose limit is highest
   double correlation_of_peaks = 0.0;  ///< of successive events [-]
