@@ -15,6 +15,7 @@
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/result_columns.hpp"
 #include "brash/io/run_summary.hpp"
 
 namespace brash::analysis {
@@ -41,10 +42,23 @@ ordered_json read_settings(const std::string& folder) {
   return json["settings"];
 }
 
+/// The unit of a column of a run's history, whose CSV names none; "" for other columns.
+std::string unit_of_column(const std::string& column) {
+  std::string found;
+  io::Columns<model::LoadRow>::visit([&](const std::string& name, const char* unit, const auto&...) {
+    if (name == column) found = unit;
+  });
+  return found;
+}
+
 LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
   begin_as_summary(choice, (run / "summary.json").string());
-  for (const char* name : {"history.csv", "run.nc"})
-    if (fs::exists(run / name)) return read_history((run / name).string(), choice);
+  for (const char* name : {"history.csv", "run.nc"}) {
+    if (!fs::exists(run / name)) continue;
+    LoadHistory load = read_history((run / name).string(), choice);
+    if (load.unit.empty()) load.unit = unit_of_column(load.column);
+    return load;
+  }
   throw InputError(Complaint{run.string(), "holds no history", "a history.csv or run.nc",
                              "run the campaign with output.keep = \"history\" in its plan"});
 }

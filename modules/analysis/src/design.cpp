@@ -91,7 +91,8 @@ bool is_horizontal(const std::string& column) { return column == "Fx" || column 
 /// The horizontal loads of the formulas that fit a structure, and of its contacts that all crush.
 ordered_json forms_json(const model::Case& resolved) {
   ordered_json forms = ordered_json::array();
-  for (const ordered_json& load : closed_form_loads(resolved)["loads"])
+  const ordered_json all = closed_form_loads(resolved);
+  for (const ordered_json& load : all["loads"])
     if (load.contains("horizontal") && load["formula"] != "Nevel")
       forms.push_back({{"formula", load["formula"]}, {"method", load["method"]}, {"horizontal", load["horizontal"]}});
   return forms;
@@ -258,8 +259,11 @@ ordered_json fatigue_of_years(const ordered_json& settings, const DesignSettings
 
 std::string number_text(double value, const TableUnit& unit) { return fmt::format("{:.4g}", value / unit.one); }
 
-std::string interval_text(const ordered_json& ends, const TableUnit& unit) {
-  return number_text(ends[0].get<double>(), unit) + " to " + number_text(ends[1].get<double>(), unit);
+/// @param most  no load is larger; infinite where it is not known.
+std::string interval_text(const ordered_json& ends, const TableUnit& unit, double most) {
+  const double upper = ends[1].get<double>();
+  return fmt::format("{} to {}{}", number_text(ends[0].get<double>(), unit), upper > most ? "over " : "",
+                     number_text(std::min(upper, most), unit));
 }
 
 std::string heads_text(const char* period, const TableUnit& unit) {
@@ -267,22 +271,23 @@ std::string heads_text(const char* period, const TableUnit& unit) {
 }
 
 /// A line of the table; `histories` is how often the histories would have to be repeated for the period.
-std::string level_text(double period, const ordered_json& level, const TableUnit& unit, const std::string& end) {
+std::string level_text(double period, const ordered_json& level, const TableUnit& unit, double most,
+                       const std::string& end) {
   if (level.contains("refused"))
     return fmt::format("  {:>12.4g} no level: {}\n", period, level["refused"].get<std::string>());
-  const bool impossible = level.value("above_crushing", ordered_json(false)) == true;
+  const bool impossible = level["level"] > most;
   return fmt::format("  {:>12.4g} {:>10} {:>20} {:>10.2g}{}{}\n", period,
-                     number_text(level["level"].get<double>(), unit), interval_text(level["level_95"], unit),
+                     number_text(level["level"].get<double>(), unit), interval_text(level["level_95"], unit, most),
                      level["records"].get<double>(), end, impossible ? "  not possible" : "");
 }
 
 /// Warnings of the levels of a table.
-std::string notes_text(const ordered_json& levels) {
+std::string notes_text(const ordered_json& levels, double most) {
   bool far = false, impossible = false;
   for (const ordered_json& level : levels) {
     if (!level.contains("level")) continue;
     far = far || level["records"].get<double>() > kMarkedPeriod;
-    impossible = impossible || level.value("above_crushing", ordered_json(false)) == true;
+    impossible = impossible || level["level"] > most;
   }
   std::string text;
   if (far)
@@ -318,9 +323,10 @@ std::string state_text(const ordered_json& s, const TableUnit& unit) {
     text += fmt::format(", the largest {} {}", number_text(s["largest"].get<double>(), unit), unit.name);
   if (s.contains("hours_a_year")) text += fmt::format(", {:g} hours a year", s["hours_a_year"].get<double>());
   text += '\n';
+  const double most = s.contains("full_crushing") ? s["full_crushing"].get<double>() : INFINITY;
   text += heads_text("hours", unit);
-  for (const ordered_json& level : s["levels"]) text += level_text(level["hours"].get<double>(), level, unit, "");
-  text += notes_text(s["levels"]);
+  for (const ordered_json& level : s["levels"]) text += level_text(level["hours"].get<double>(), level, unit, most, "");
+  text += notes_text(s["levels"], most);
   text += convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"]);
   for (const ordered_json& warning : s["warnings"]) text += fmt::format("  warning: {}\n", warning.get<std::string>());
   return text;
@@ -329,6 +335,7 @@ std::string state_text(const ordered_json& s, const TableUnit& unit) {
 std::string years_text(const ordered_json& design, const TableUnit& unit) {
   const ordered_json& annual = design["annual"];
   if (annual.is_object()) return fmt::format("all settings: no level: {}\n", annual["refused"].get<std::string>());
+  const double most = design.contains("full_crushing") ? design["full_crushing"]["horizontal"].get<double>() : INFINITY;
   std::string text = "all settings, by their hours a year\n" + heads_text("years", unit);
   for (const ordered_json& level : annual) {
     std::string largest;
@@ -336,10 +343,10 @@ std::string years_text(const ordered_json& design, const TableUnit& unit) {
     if (const auto shares = level.find("shares"); shares != level.end())
       for (const auto& [name, value] : shares->items())
         if (value.get<double>() > share) largest = name, share = value.get<double>();
-    text += level_text(level["years"].get<double>(), level, unit,
+    text += level_text(level["years"].get<double>(), level, unit, most,
                        largest.empty() ? "" : fmt::format("  {:.0f} % from {}", 100.0 * share, largest));
   }
-  text += notes_text(annual);
+  text += notes_text(annual, most);
   if (design.contains("full_crushing"))
     text += fmt::format("  all contacts crush together at {} {} ({})\n",
                         number_text(design["full_crushing"]["horizontal"].get<double>(), unit), unit.name,

@@ -245,23 +245,25 @@ std::optional<double> SharedTail::level_at(const AtShape& at, const Peaks& peaks
   return find_root(excess, low, high, 1e-10).value_or(low);
 }
 
-/// The level `x` at a given shape, moved by so many deviations of its own. They come from the errors of scales and of
-/// rates, and are of the logarithm of the excess over the thresholds.
+/// The level `x` at a given shape, moved by so many deviations of its own: those of the scales are of the logarithm of
+/// the excess over the thresholds, those of the rates of the excess.
 double SharedTail::moved(const AtShape& at, const Peaks& peaks, double x, double deviations) const {
   const Peaks shares = shares_at(at, peaks, x);
   const double sum = sum_of(shares);
-  double variance = 0.0, slope = 0.0, over = 0.0;  // of ln N; of ln N by x; mean excess
+  double by_scale = 0.0, by_rate = 0.0;  // variances of ln N
+  double slope = 0.0, over = 0.0;        // of ln N by x; mean excess
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (shares[i] <= 0.0) continue;
     const double excess = std::max(0.0, x - states_[i].threshold), share = shares[i] / sum;
     const double rate = 1.0 / (at.scales[i].scale + at.shape * excess);
-    variance +=
-        share * share *
-        (rate * rate * excess * excess * at.scales[i].variance + 1.0 / static_cast<double>(excesses_[i].size()));
+    by_scale += std::pow(share * rate * excess, 2) * at.scales[i].variance;
+    by_rate += share * share / static_cast<double>(excesses_[i].size());
     slope += share * rate;
     over += share * excess;
   }
-  return over > 0.0 ? x + over * std::expm1(deviations * std::sqrt(variance) / (slope * over)) : x;
+  const double of_rate = deviations * std::sqrt(by_rate) / slope;
+  const double of_scale = over > 0.0 ? over * std::expm1(deviations * std::sqrt(by_scale) / (slope * over)) : 0.0;
+  return x + std::copysign(std::hypot(of_rate, of_scale), deviations);
 }
 
 Peaks SharedTail::peaks_in(const Peaks& seconds) const {
