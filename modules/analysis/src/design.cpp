@@ -364,8 +364,8 @@ std::string tail_text(const ordered_json& design) {
   if (p < kDifferent)
     text += fmt::format("warning: the shapes of the settings differ by more than chance ({})\n", p_text(p));
   return text + fmt::format(
-                    "four times the replicates would about halve the intervals: `replicates = {}` in the plan, "
-                    "then `brash campaign PLAN -o FOLDER --resume`\n",
+                    "four times the histories about halve the intervals: `brash campaign PLAN.toml -o DIR --resume "
+                    "--replicates {}`\n",
                     4 * design["settings"][0]["replicates"].get<std::size_t>());
 }
 

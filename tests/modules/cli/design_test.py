@@ -163,7 +163,7 @@ class Design(unittest.TestCase):
         text = self.design("--scatter", table)
         self.assertIn("% from thick\n", text)
         self.assertIn("warning: beyond 4 times the histories a level rests on the law more than on data", text)
-        self.assertIn("`replicates = 12` in the plan", text)
+        self.assertIn("--resume --replicates 12`", text)
 
     def test_few_load_events_have_no_level(self):
         for run in (self.folder / "cases").glob("*/history.csv"):
