@@ -217,7 +217,9 @@ class PlanReader {
       return parse_source(text_of(path, "case file"), path, {});
     }
     CaseSource whole = parse_source(text_of(path_, "plan"), path_, {});
-    return {path_, std::move(*whole.tree["case"].as_table()), {}};
+    toml::table inside = std::move(*whole.tree["case"].as_table());
+    lift_subsections(inside);
+    return {path_, std::move(inside), {}};
   }
 
   std::string base_name() const {

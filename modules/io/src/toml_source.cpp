@@ -116,21 +116,6 @@ bool is_subsection(const std::string& name) {
   return name.find('.') != std::string::npos && schema_of_cases().sections().contains(name);
 }
 
-/// Puts the sections within sections beside them, under their whole names.
-void lift_subsections(toml::table& tree) {
-  std::vector<std::pair<std::string, std::string>> found;
-  for (const auto& [section, node] : tree)
-    if (const toml::table* const keys = node.as_table())
-      for (const auto& [key, value] : *keys) found.emplace_back(section.str(), key.str());
-  for (const auto& [section, key] : found) {
-    const std::string whole = section + "." + key;
-    if (!is_subsection(whole)) continue;
-    toml::table& keys = *tree[section].as_table();
-    keys.get(key)->visit([&](auto& typed) { tree.insert_or_assign(whole, std::move(typed)); });
-    keys.erase(key);
-  }
-}
-
 /// The value of an override: TOML, else the text itself.
 toml::table parse_override_value(const std::string& text) {
   if (text.find('\n') == std::string::npos && !find_deep_nesting(text)) {
@@ -160,6 +145,20 @@ Place place_in(const CaseSource& source, const std::string& name, const toml::so
 
 CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides, const std::string& kind) {
   return parse_source(read_text(path, kind), path, overrides);
+}
+
+void lift_subsections(toml::table& tree) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto& [section, node] : tree)
+    if (const toml::table* const keys = node.as_table())
+      for (const auto& [key, value] : *keys) found.emplace_back(section.str(), key.str());
+  for (const auto& [section, key] : found) {
+    const std::string whole = section + "." + key;
+    if (!is_subsection(whole)) continue;
+    toml::table& keys = *tree[section].as_table();
+    keys.get(key)->visit([&](auto& typed) { tree.insert_or_assign(whole, std::move(typed)); });
+    keys.erase(key);
+  }
 }
 
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {

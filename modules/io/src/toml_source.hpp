@@ -27,6 +27,8 @@ CaseSource read_source(const std::string& path, const std::vector<std::string>& 
 std::string read_text(const std::string& path, const std::string& kind);
 /// As read_source() for a text; `path` names it in messages.
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
+/// Puts the sections within sections of a case beside them, under their whole names.
+void lift_subsections(toml::table& tree);
 /// Applies one `section.key=value` override. @throws InputError when it is malformed.
 void apply_override(CaseSource& source, const std::string& text);
 /// Replaces the value of `section.key` by `value`, which is written at `place`.

@@ -140,6 +140,11 @@ BOOST_AUTO_TEST_CASE(the_base_case_may_stand_in_the_plan) {
   BOOST_TEST(plan.settings[0].resolved.ice.thickness == 0.4);
 }
 
+BOOST_AUTO_TEST_CASE(the_case_in_a_plan_has_sections_within_sections) {
+  const CampaignPlan plan = read(in_plan(kLeastCase) + "[case.structure.motion]\nframe = \"ice-drifts\"\n");
+  BOOST_TEST((plan.settings[0].resolved.structure.frame == model::MotionFrame::kIceDrifts));
+}
+
 BOOST_AUTO_TEST_CASE(keys_of_a_section_within_a_section_vary_and_are_set) {
   const CampaignPlan plan =
       read(kBase + "[set]\nice.variation.thickness = 0.1\n[[grid]]\nice.variation.correlation_length = [\"3 m\", 5]\n");
