@@ -22,6 +22,7 @@ using namespace statistics;
 
 constexpr double kHour = 3600.0;     // [s]
 constexpr double kDependent = 1.5;   // dispersion of the replicates that is worth a line
+constexpr double kHeavy = 0.5;       // shape from which on the variance is infinite
 constexpr double kDifferent = 0.05;  // p below which the settings' shapes differ
 
 // The convergence of IEC 61400-1:2019, Annex G: the 90 % interval of the load that 84 % of ten-minute maxima stay below
@@ -257,12 +258,16 @@ ordered_json fatigue_of_years(const ordered_json& settings, const DesignSettings
   return out;
 }
 
-std::string number_text(double value, const TableUnit& unit) { return fmt::format("{:.4g}", value / unit.one); }
+std::string number_text(double value, const TableUnit& unit) {
+  const double shown = value / unit.one;
+  return std::abs(shown) >= 1e4 && std::abs(shown) < 1e7 ? fmt::format("{:.0f}", shown) : fmt::format("{:.4g}", shown);
+}
 
 /// @param most  no load is larger; infinite where it is not known.
 std::string interval_text(const ordered_json& ends, const TableUnit& unit, double most) {
-  const double upper = ends[1].get<double>();
-  return fmt::format("{} to {}{}", number_text(ends[0].get<double>(), unit), upper > most ? "over " : "",
+  const double lower = ends[0].get<double>(), upper = ends[1].get<double>();
+  if (lower > most) return "over " + number_text(most, unit);
+  return fmt::format("{} to {}{}", number_text(lower, unit), upper > most ? "over " : "",
                      number_text(std::min(upper, most), unit));
 }
 
@@ -275,25 +280,25 @@ std::string level_text(double period, const ordered_json& level, const TableUnit
                        const std::string& end) {
   if (level.contains("refused"))
     return fmt::format("  {:>12.4g} no level: {}\n", period, level["refused"].get<std::string>());
-  const bool impossible = level["level"] > most;
+  const bool above = level["level"] > most;
   return fmt::format("  {:>12.4g} {:>10} {:>20} {:>10.2g}{}{}\n", period,
                      number_text(level["level"].get<double>(), unit), interval_text(level["level_95"], unit, most),
-                     level["records"].get<double>(), end, impossible ? "  not possible" : "");
+                     level["records"].get<double>(), end, above ? "  above crushing" : "");
 }
 
 /// Warnings of the levels of a table.
 std::string notes_text(const ordered_json& levels, double most) {
-  bool far = false, impossible = false;
+  bool far = false, above = false;
   for (const ordered_json& level : levels) {
     if (!level.contains("level")) continue;
     far = far || level["records"].get<double>() > kMarkedPeriod;
-    impossible = impossible || level["level"] > most;
+    above = above || level["level"] > most;
   }
   std::string text;
   if (far)
     text += fmt::format("  warning: beyond {:g} times the histories a level rests on the law more than on data\n",
                         kMarkedPeriod);
-  if (impossible) text += "  warning: not possible: above what all contacts together crush at\n";
+  if (above) text += "  warning: above crushing: the ice over the full width crushes at less\n";
   return text;
 }
 
@@ -303,8 +308,8 @@ std::string forms_text(const ordered_json& state, const TableUnit& unit) {
   for (const ordered_json& form : state["closed_forms"])
     text +=
         fmt::format(" {} {},", form["formula"].get<std::string>(), number_text(form["horizontal"].get<double>(), unit));
-  return text + fmt::format(" all contacts crushing {} {}\n", number_text(state["full_crushing"].get<double>(), unit),
-                            unit.name);
+  return text + fmt::format(" compressive strength over the width {} {}\n",
+                            number_text(state["full_crushing"].get<double>(), unit), unit.name);
 }
 
 std::string convergence_text(const ordered_json& state) {
@@ -348,7 +353,7 @@ std::string years_text(const ordered_json& design, const TableUnit& unit) {
   }
   text += notes_text(annual, most);
   if (design.contains("full_crushing"))
-    text += fmt::format("  all contacts crush together at {} {} ({})\n",
+    text += fmt::format("  the ice over the full width crushes at {} {} ({})\n",
                         number_text(design["full_crushing"]["horizontal"].get<double>(), unit), unit.name,
                         design["full_crushing"]["setting"].get<std::string>());
   return text;
@@ -363,6 +368,11 @@ std::string tail_text(const ordered_json& design) {
                   tail["shape"].get<double>(), tail["shape_95"][0].get<double>(), tail["shape_95"][1].get<double>());
   if (p < kDifferent)
     text += fmt::format("warning: the shapes of the settings differ by more than chance ({})\n", p_text(p));
+  if (tail["shape"].get<double>() > kHeavy)
+    text += "warning: no ice load has so heavy a tail: a few loads are of another kind than the others, look at them\n";
+  if (const double dispersion = tail["dispersion"].get<double>(); dispersion > kDependent)
+    text += fmt::format(
+        "replicates differ more than independent peaks would: intervals allow {:.1f} times the deviance\n", dispersion);
   return text + fmt::format(
                     "four times the histories about halve the intervals: `brash campaign PLAN.toml -o DIR --resume "
                     "--replicates {}`\n",
