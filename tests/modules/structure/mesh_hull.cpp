@@ -150,6 +150,18 @@ BOOST_AUTO_TEST_CASE(a_vertical_side_keeps_a_strip_of_ice_with_the_area_of_the_f
   BOOST_TEST(area(f.trailing) == (4.0 - 2.0 * strip) * (2.0 - 2.0 * strip), boost::test_tools::tolerance(1e-5));
 }
 
+/// The wall of a mesh lost its load wherever the grid rounds its strip of ice inwards: at half of all places.
+BOOST_AUTO_TEST_CASE(a_vertical_side_is_found_wherever_the_grid_rounds_its_strip) {
+  const double bottom = -0.3, top = 0.1;
+  const MeshHull mesh = hull(box({-2.0, -1.0, -1.0}, {2.0, 1.0, 2.0}));
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose{{0.0123456789 * i, 0.0, 0.0}, {}};
+    const geometry::Extent front = geometry::extent({geometry::ring(mesh.footprint(pose, bottom, top).leading[0]), {}});
+    const auto sides = mesh.sides(pose, bottom, top, {{front.upper.x - 1e-4, -0.5}, front.upper});
+    BOOST_TEST(std::ranges::any_of(sides, [](const SidePiece& side) { return side.normal.x > 0.9; }));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(only_sides_near_a_region_are_listed) {
   const MeshHull mesh = hull(sphere({}, 4.0, 64));
   const auto all = mesh.sides({}, -0.3, 0.1, {}), ahead = mesh.sides({}, -0.3, 0.1, {{3.9, -0.2}, {5.0, 0.2}});
