@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "brash/core/constants.hpp"
@@ -62,30 +63,88 @@ TriangleMesh in_order(const TriangleMesh& mesh) {
   return sorted;
 }
 
-/// Each point once, and of many points the farthest in each of the directions, which are spread evenly (Fibonacci).
-std::vector<Vec3> farthest(std::vector<Vec3> points) {
-  const auto order = [](const Vec3& v) { return std::tuple(v.x, v.y, v.z); };
-  const auto keep_one_of_each = [&](std::vector<Vec3>& all) {
-    std::ranges::sort(all, {}, order);
-    all.erase(std::ranges::unique(all).begin(), all.end());
+std::tuple<double, double, double> order_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+void keep_one_of_each(std::vector<Vec3>& points) {
+  std::ranges::sort(points, {}, order_of);
+  points.erase(std::ranges::unique(points).begin(), points.end());
+}
+
+struct Box {
+  Vec3 least, most;
+};
+
+Box box_around(std::span<const Vec3> points) {
+  Box box{points.front(), points.front()};
+  for (const Vec3 v : points) {
+    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
+    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
+  }
+  return box;
+}
+
+/// Neighbouring points and the box around them.
+struct Block {
+  std::span<const Vec3> points;
+  Box box;
+};
+
+/// Divides points at the middle of their longest side until each block has few.
+void divide(std::span<Vec3> points, std::vector<Block>& blocks) {
+  constexpr std::size_t kFewPoints = 64;
+  const Box box = box_around(points);
+  if (points.size() <= kFewPoints) {
+    blocks.push_back({points, box});
+    return;
+  }
+  const Vec3 size = box.most - box.least;
+  const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t half = points.size() / 2;
+  std::ranges::nth_element(points, points.begin() + static_cast<std::ptrdiff_t>(half), {},
+                           [&](const Vec3& v) { return coordinate(v, axis); });
+  divide(points.first(half), blocks);
+  divide(points.subspan(half), blocks);
+}
+
+/// The farthest point in a direction. A block is skipped if the corner of its box is not as far. Rounding is monotone,
+/// so a corner bounds its points exactly.
+Vec3 farthest_towards(Vec3 towards, const std::vector<Block>& blocks) {
+  const auto bound = [&](const Block& block) {
+    const auto& [least, most] = block.box;
+    return dot(towards, {towards.x > 0.0 ? most.x : least.x, towards.y > 0.0 ? most.y : least.y,
+                         towards.z > 0.0 ? most.z : least.z});
   };
-  keep_one_of_each(points);
-  if (points.size() <= kManyPoints) return points;
+  const auto farthest_of = [&](const Block& block) {
+    return *std::ranges::max_element(block.points, {},
+                                     [&](const Vec3& v) { return std::pair(dot(towards, v), order_of(v)); });
+  };
+  Vec3 best = farthest_of(*std::ranges::max_element(blocks, {}, bound));
+  for (const Block& block : blocks) {
+    if (bound(block) < dot(towards, best)) continue;
+    const Vec3 other = farthest_of(block);
+    if (std::pair(dot(towards, other), order_of(other)) > std::pair(dot(towards, best), order_of(best))) best = other;
+  }
+  return best;
+}
+
+/// The farthest points in directions that are spread evenly (Fibonacci), each once.
+std::vector<Vec3> farthest(std::vector<Vec3> points) {
   constexpr double kGoldenAngle = 2.399963229728653;
+  std::vector<Block> blocks;
+  divide(points, blocks);
   std::vector<Vec3> far;
   for (int i = 0; i < kDirections; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z), around = kGoldenAngle * i;
-    const Vec3 towards{r * std::cos(around), r * std::sin(around), z};
-    far.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& v) { return dot(towards, v); }));
+    far.push_back(farthest_towards({r * std::cos(around), r * std::sin(around), z}, blocks));
   }
   keep_one_of_each(far);
   return far;
 }
 
 /// The closed convex hull of points; without a volume when they lie in a plane.
-TriangleMesh hull_of(const std::vector<Vec3>& points) {
-  if (points.size() > kManyPoints)
-    if (std::vector<Vec3> far = farthest(points); far.size() < points.size()) return hull_of(far);
+TriangleMesh hull_of(std::vector<Vec3> points) {
+  if (points.size() > kManyPoints) keep_one_of_each(points);
+  if (points.size() > kManyPoints) points = farthest(std::move(points));
   if (points.size() < 4) return {};
   std::vector<Point> cloud;
   for (const Vec3 p : points) cloud.emplace_back(p.x, p.y, p.z);
@@ -107,10 +166,6 @@ TriangleMesh hull_of(const std::vector<Vec3>& points) {
   }
   return in_order(hull);
 }
-
-struct Box {
-  Vec3 least, most;
-};
 
 /// The part of a polygon on one side of an axis-parallel plane: below it when `sign` is 1, above it when -1.
 void keep_side(std::vector<Vec3>& polygon, int axis, double at, double sign) {
@@ -155,8 +210,8 @@ struct Piece {
   Box box;
   std::vector<std::size_t> triangles;  ///< of the shell, those that reach into the box
   double volume = 0.0;                 ///< of the shell in the box [m3]
-  std::vector<Vec3> corners;           ///< of the shell in the box
-  double excess = 0.0;                 ///< of their convex hull [m3]
+  TriangleMesh hull;                   ///< convex, of the shell in the box
+  double excess = 0.0;                 ///< of the hull [m3]
 };
 
 /// Volume of the shell in the box up to the box's end along y [m3]. The flux of (y - y_end) through the closed part is
@@ -177,21 +232,23 @@ double volume_up_to(const TriangleMesh& shell, const std::vector<std::size_t>& t
 }
 
 Piece piece_of(const TriangleMesh& shell, const Box& box, const std::vector<std::size_t>& candidates) {
-  Piece piece{.box = box, .triangles = {}, .volume = 0.0, .corners = {}, .excess = 0.0};
+  Piece piece{.box = box, .triangles = {}, .volume = 0.0, .hull = {}, .excess = 0.0};
+  std::vector<Vec3> points;
   for (const std::size_t t : candidates) {
     if (within(corners(shell, t), box, 1).empty()) continue;
     piece.triangles.push_back(t);  // all that lie in front along y: the volume needs them
     const std::vector<Vec3> part = within(corners(shell, t), box);
-    piece.corners.insert(piece.corners.end(), part.begin(), part.end());
+    points.insert(points.end(), part.begin(), part.end());
   }
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{i & 1 ? box.most.x : box.least.x, i & 2 ? box.most.y : box.least.y,
                       i & 4 ? box.most.z : box.least.z};
-    if (is_inside(corner, shell)) piece.corners.push_back(corner);
+    if (is_inside(corner, shell)) points.push_back(corner);
   }
   piece.volume =
       volume_up_to(shell, piece.triangles, box, box.most.y) - volume_up_to(shell, piece.triangles, box, box.least.y);
-  piece.excess = std::max(0.0, signed_volume(hull_of(piece.corners)) - piece.volume);
+  piece.hull = hull_of(std::move(points));
+  piece.excess = std::max(0.0, signed_volume(piece.hull) - piece.volume);
   return piece;
 }
 
@@ -254,21 +311,13 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
   }
 }
 
-Box box_around(const std::vector<Vec3>& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec3 v : points) {
-    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
-    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
-  }
-  return box;
-}
-
 std::vector<Piece> pieces_of(const TriangleMesh& shell) {
   const Box box = box_around(shell.vertices);
-  Piece whole{.box = box, .triangles = {}, .volume = signed_volume(shell), .corners = shell.vertices, .excess = 0.0};
+  Piece whole{
+      .box = box, .triangles = {}, .volume = signed_volume(shell), .hull = hull_of(shell.vertices), .excess = 0.0};
   whole.triangles.resize(shell.triangles.size());
   std::iota(whole.triangles.begin(), whole.triangles.end(), std::size_t{0});
-  whole.excess = std::max(0.0, signed_volume(hull_of(shell.vertices)) - whole.volume);
+  whole.excess = std::max(0.0, signed_volume(whole.hull) - whole.volume);
   std::vector<Piece> pieces{std::move(whole)};
   const auto excess = [&] {
     return std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double s, const Piece& p) { return s + p.excess; });
@@ -333,10 +382,9 @@ ConvexBodies convex_bodies(const TriangleMesh& mesh) {
   for (int s = 0; s < n_shells; ++s) {
     const TriangleMesh shell = part_of(mesh, [&, &of = shell_of](std::size_t t) { return of[t] == s; });
     for (const Piece& piece : pieces_of(shell)) {
-      const TriangleMesh whole = hull_of(piece.corners);
-      const double volume = signed_volume(whole);
+      const double volume = signed_volume(piece.hull);
       if (!(volume > 0.0)) continue;
-      const TriangleMesh body = with_few_corners(whole);
+      const TriangleMesh body = with_few_corners(piece.hull);
       wrong += piece.excess + std::max(0.0, std::max(volume, piece.volume) - signed_volume(body));
       bodies.parts.push_back(body.vertices);
     }
