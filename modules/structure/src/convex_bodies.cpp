@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <span>
 #include <tuple>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/plane.hpp"
 #include "brash/structure/inner_radius.hpp"
+#include "extreme_points.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {
@@ -63,88 +63,14 @@ TriangleMesh in_order(const TriangleMesh& mesh) {
   return sorted;
 }
 
-std::tuple<double, double, double> order_of(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-void keep_one_of_each(std::vector<Vec3>& points) {
-  std::ranges::sort(points, {}, order_of);
-  points.erase(std::ranges::unique(points).begin(), points.end());
-}
-
 struct Box {
   Vec3 least, most;
 };
 
-Box box_around(std::span<const Vec3> points) {
-  Box box{points.front(), points.front()};
-  for (const Vec3 v : points) {
-    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
-    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
-  }
-  return box;
-}
-
-/// Neighbouring points and the box around them.
-struct Block {
-  std::span<const Vec3> points;
-  Box box;
-};
-
-/// Divides points at the middle of their longest side until each block has few.
-void divide(std::span<Vec3> points, std::vector<Block>& blocks) {
-  constexpr std::size_t kFewPoints = 64;
-  const Box box = box_around(points);
-  if (points.size() <= kFewPoints) {
-    blocks.push_back({points, box});
-    return;
-  }
-  const Vec3 size = box.most - box.least;
-  const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t half = points.size() / 2;
-  std::ranges::nth_element(points, points.begin() + static_cast<std::ptrdiff_t>(half), {},
-                           [&](const Vec3& v) { return coordinate(v, axis); });
-  divide(points.first(half), blocks);
-  divide(points.subspan(half), blocks);
-}
-
-/// The farthest point in a direction. A block is skipped if the corner of its box is not as far. Rounding is monotone,
-/// so a corner bounds its points exactly.
-Vec3 farthest_towards(Vec3 towards, const std::vector<Block>& blocks) {
-  const auto bound = [&](const Block& block) {
-    const auto& [least, most] = block.box;
-    return dot(towards, {towards.x > 0.0 ? most.x : least.x, towards.y > 0.0 ? most.y : least.y,
-                         towards.z > 0.0 ? most.z : least.z});
-  };
-  const auto farthest_of = [&](const Block& block) {
-    return *std::ranges::max_element(block.points, {},
-                                     [&](const Vec3& v) { return std::pair(dot(towards, v), order_of(v)); });
-  };
-  Vec3 best = farthest_of(*std::ranges::max_element(blocks, {}, bound));
-  for (const Block& block : blocks) {
-    if (bound(block) < dot(towards, best)) continue;
-    const Vec3 other = farthest_of(block);
-    if (std::pair(dot(towards, other), order_of(other)) > std::pair(dot(towards, best), order_of(best))) best = other;
-  }
-  return best;
-}
-
-/// The farthest points in directions that are spread evenly (Fibonacci), each once.
-std::vector<Vec3> farthest(std::vector<Vec3> points) {
-  constexpr double kGoldenAngle = 2.399963229728653;
-  std::vector<Block> blocks;
-  divide(points, blocks);
-  std::vector<Vec3> far;
-  for (int i = 0; i < kDirections; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z), around = kGoldenAngle * i;
-    far.push_back(farthest_towards({r * std::cos(around), r * std::sin(around), z}, blocks));
-  }
-  keep_one_of_each(far);
-  return far;
-}
-
 /// The closed convex hull of points; without a volume when they lie in a plane.
 TriangleMesh hull_of(std::vector<Vec3> points) {
   if (points.size() > kManyPoints) keep_one_of_each(points);
-  if (points.size() > kManyPoints) points = farthest(std::move(points));
+  if (points.size() > kManyPoints) points = extreme_points(std::move(points), kDirections);
   if (points.size() < 4) return {};
   std::vector<Point> cloud;
   for (const Vec3 p : points) cloud.emplace_back(p.x, p.y, p.z);
@@ -309,6 +235,15 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
     if (larger.vertices == hull.vertices) return hull;  // rounding placed vertices outside that are not
     hull = std::move(larger);
   }
+}
+
+Box box_around(const std::vector<Vec3>& points) {
+  Box box{points.front(), points.front()};
+  for (const Vec3 v : points) {
+    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
+    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
+  }
+  return box;
 }
 
 std::vector<Piece> pieces_of(const TriangleMesh& shell) {

@@ -9,6 +9,7 @@
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/structure/inner_radius.hpp"
 #include "convex_bodies.hpp"
+#include "extreme_points.hpp"
 #include "meshes.hpp"
 #include "triangle_mesh.hpp"
 
@@ -235,6 +236,24 @@ BOOST_AUTO_TEST_CASE(a_hull_of_many_triangles_is_one_part_of_nearly_its_volume) 
   BOOST_REQUIRE(bodies.parts.size() == 1u);
   BOOST_TEST(bodies.parts[0].size() <= 256u);
   BOOST_TEST(bodies.error < 0.03);
+}
+
+BOOST_AUTO_TEST_CASE(extreme_points_are_the_farthest_of_all_points) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<Vec3> cloud;
+  for (int i = 0; i < 3000; ++i) cloud.push_back({5.0 * unit(random), unit(random), 0.2 * unit(random)});
+  for (std::vector<Vec3> points :
+       {cloud, sphere({1.0, 2.0, 3.0}, 4.0, 40).vertices, box({0, 0, 0}, {2, 3, 4}).vertices}) {
+    keep_one_of_each(points);
+    std::vector<Vec3> far;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 towards = spread_direction(i, 200);
+      far.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& v) { return dot(towards, v); }));
+    }
+    keep_one_of_each(far);
+    BOOST_TEST((extreme_points(points, 200) == far));
+  }
 }
 
 /// Outlines of any pose are simple rings that the exact geometry takes: the bow, stern and legs of what there is.
