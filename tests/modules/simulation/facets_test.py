@@ -133,7 +133,8 @@ class Ship:
         if x >= along:
             return 0.0
         angle = np.linspace(0.0, math.acos((x / along) ** (1.0 / self.power)), 20001)
-        return 2.0 * abs(np.trapz(across * np.sin(angle) ** self.power, along * np.cos(angle) ** self.power))
+        ahead, aside = along * np.cos(angle) ** self.power, across * np.sin(angle) ** self.power
+        return abs(np.sum((aside[1:] + aside[:-1]) * np.diff(ahead)))
 
 
 def in_ice(area):
