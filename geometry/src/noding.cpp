@@ -111,7 +111,7 @@ void Noding::sort_nodes() {
       *ends[i].node = static_cast<int>(nodes_.size()) - 1;
       is_given = true;
     }
-    if (!is_given) ++n_rounded_;
+    is_rounded_.push_back(is_given ? 0 : 1);
   }
   for (std::size_t i = 1; i < segments_.size(); ++i) {
     if (segments_[i].from_node < 0) segments_[i].from_node = segments_[i - 1].to_node;
@@ -164,6 +164,7 @@ void Noding::add_nodes_met(int from, int to, bool is_moved, int depth) {
       if (node < 0) {
         node = static_cast<int>(nodes_.size());
         nodes_.push_back(p);
+        is_rounded_.push_back(0);
       }
       targets_.push_back({node, depth});
     });
@@ -214,6 +215,8 @@ void Noding::route_all() {
     for (std::size_t i = 1; i < chain.size(); ++i) add_edge(chain[i - 1], chain[i], s.source);
     if (s.source != Source::kSheet) continue;
     active_.push_back({s.edge, s.from_node, s.to_node, -1});
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+      if (turn(s.from, s.to, nodes_[chain[i]]) != 0) is_rounded_[chain[i]] = 1;
     twice_moved_ -= exact::cross(s.from, s.to);
     for (std::size_t i = 1; i < chain.size(); ++i) twice_moved_ += exact::cross(nodes_[chain[i - 1]], nodes_[chain[i]]);
     for (const int node : chain) {

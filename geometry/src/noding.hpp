@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,8 @@ class Noding {
   const std::vector<ActiveEdge>& active() const { return active_; }
   /// Twice the area that leading sheet edges through nodes added to the ice.
   Int128 twice_moved() const { return twice_moved_; }
-  std::int64_t n_rounded() const { return n_rounded_; }
+  /// How many nodes rounding made or led a sheet edge to: crossings, and ends of cracks beside an edge.
+  std::int64_t n_rounded() const { return std::ranges::count(is_rounded_, 1); }
   /// For each node whether it is there without any crack: it ends an edge of the sheet or of the region.
   std::vector<char> nodes_without_cracks() const;
   /// True when all edges at the node take part. Sheet edges that end farther out do so at nodes where others may lack.
@@ -86,7 +88,7 @@ class Noding {
   std::vector<ActiveEdge> active_;
   std::vector<NodedEdge> edges_;
   Int128 twice_moved_ = 0;
-  std::int64_t n_rounded_ = 0;
+  std::vector<char> is_rounded_;  ///< of each node
 };
 
 /// The parts of `cracks` inside `region`, with their ends on its boundary rounded to the grid.

@@ -140,7 +140,7 @@ std::string LeftOut::to_string() const {
   add(n_ids, "ids that are not whole numbers");
   add(n_thin, "rings thinner than the grid of 1 nm");
   add(n_repaired, "slivers where rounding made an outline cross itself");
-  if (n_repaired > 0) text.insert(text.size() - 1, fmt::format(", {:.2g} m2", repaired.square_metres()));
+  if (repaired != ExactArea{}) text.insert(text.size() - 1, fmt::format(", {:.2g} m2", repaired.square_metres()));
   return text;
 }
 

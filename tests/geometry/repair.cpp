@@ -12,9 +12,8 @@ namespace brash::geometry {
 namespace {
 
 using shapes::box;
+using shapes::in_text;
 using shapes::reversed;
-
-std::vector<Polygon> in_text(std::string_view text) { return polygons_of(read_polygons(text).value().features); }
 
 /// The repair of polygons, after the promises that every repair keeps.
 Repair repaired(const std::vector<Polygon>& polygons) {
@@ -117,13 +116,9 @@ BOOST_AUTO_TEST_CASE(every_fault_is_listed_by_itself_or_by_its_pair) {
 BOOST_AUTO_TEST_CASE(random_polygons_give_every_place_to_the_first_that_holds_it) {
   std::mt19937_64 generator(19);
   for (int n = 2; n <= 40; n += 2) {
-    std::vector<Polygon> polygons;
+    const std::vector<Polygon> polygons = shapes::scattered(generator, n);
     std::vector<IceSheet> each;
-    for (int i = 0; i < n; ++i) {
-      const Vec2 centre{6.0 * shapes::uniform(generator), 6.0 * shapes::uniform(generator)};
-      polygons.push_back({shapes::star(generator, 3 + i % 9, 0.2, centre), {}});
-      each.push_back(checked_sheet(std::span(&polygons.back(), 1)));
-    }
+    for (const Polygon& polygon : polygons) each.push_back(checked_sheet({&polygon, 1}));
     const Repair found = repaired(polygons);
     std::vector<IceSheet> parts;
     for (const Repair::Part& part : found.parts) parts.push_back(checked_sheet(std::span(&part.polygon, 1)));

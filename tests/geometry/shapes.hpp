@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string_view>
+#include <vector>
 
 #include "brash/core/constants.hpp"
 #include "brash/geometry/polygon.hpp"
+#include "brash/geometry/text.hpp"
 
 namespace brash::geometry::shapes {
 
@@ -19,6 +22,9 @@ inline Ring reversed(Ring r) {
   std::reverse(r.begin() + 1, r.end());
   return r;
 }
+
+/// The polygons of a valid WKT or GeoJSON text.
+inline std::vector<Polygon> in_text(std::string_view text) { return polygons_of(read_polygons(text).value().features); }
 
 /// Integer grid units: for cases where every unit counts.
 inline Ring units(std::initializer_list<std::pair<std::int64_t, std::int64_t>> points) {
@@ -39,6 +45,16 @@ inline Ring star(std::mt19937_64& generator, int n, double low, Vec2 centre = {}
     vertices.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
   }
   return ring(vertices);
+}
+
+/// `n` stars at random places of a square of 6 m: many overlap.
+inline std::vector<Polygon> scattered(std::mt19937_64& generator, int n) {
+  std::vector<Polygon> polygons;
+  for (int i = 0; i < n; ++i) {
+    const double x = 6.0 * uniform(generator), y = 6.0 * uniform(generator);
+    polygons.push_back({star(generator, 3 + i % 9, 0.2, {x, y}), {}});
+  }
+  return polygons;
 }
 
 /// A wedge as a crack event leaves it: two radial sides, an outer arc and a ragged or concave inner edge.

@@ -12,9 +12,8 @@ namespace brash::geometry {
 namespace {
 
 using shapes::box;
+using shapes::in_text;
 using shapes::reversed;
-
-std::vector<Polygon> in_text(std::string_view text) { return polygons_of(read_polygons(text).value().features); }
 
 /// The union of polygons, after the promises that every union keeps.
 Union united(const std::vector<Polygon>& polygons) {
@@ -100,13 +99,9 @@ BOOST_AUTO_TEST_CASE(two_random_polygons_overlap_as_a_cut_of_one_by_the_other_sa
 BOOST_AUTO_TEST_CASE(a_place_lies_in_the_union_of_many_polygons_where_it_lies_in_one_of_them) {
   std::mt19937_64 generator(18);
   for (int n = 2; n <= 40; n += 2) {
-    std::vector<Polygon> polygons;
+    const std::vector<Polygon> polygons = shapes::scattered(generator, n);
     std::vector<IceSheet> each;
-    for (int i = 0; i < n; ++i) {
-      const Vec2 centre{6.0 * shapes::uniform(generator), 6.0 * shapes::uniform(generator)};
-      polygons.push_back({shapes::star(generator, 3 + i % 9, 0.2, centre), {}});
-      each.push_back(checked_sheet(std::span(&polygons.back(), 1)));
-    }
+    for (const Polygon& polygon : polygons) each.push_back(checked_sheet({&polygon, 1}));
     const IceSheet all = checked_sheet(united(polygons).polygons);
     for (int k = 0; k < 500; ++k) {
       const Vec2 place{8.0 * shapes::uniform(generator) - 1.0, 8.0 * shapes::uniform(generator) - 1.0};

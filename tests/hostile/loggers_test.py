@@ -31,6 +31,13 @@ class Loggers(Hostile):
             self.assert_read(head + "\n" + self.rows(lambda i: f"{0.05 * i:.2f}", separator))
         self.assertEqual(self.statistics("t_s,Fx_kN\n" + self.rows(lambda i: i), "--column", "Fx_kN")["unit"], "N")
 
+    def test_units_in_names_may_be_repeated_below_and_must_agree(self):
+        for head in ("Time,Load kN\ns,kN", "Time,Load kN\ns,", "Time [s],Load_kN\ns,kN", "Time,Load kN\n[s],[kN]"):
+            self.assert_read(head + "\n" + self.rows(lambda i: f"{0.05 * i:.2f}"))
+        for head in ("Time,Load N\ns,kN", "Time [ms],Load [N]\ns,N"):
+            (self.path / "logger.csv").write_text(head + "\n" + self.rows(lambda i: i))
+            self.refused("stats", "logger.csv", saying="under a name that ends with")
+
     def test_dates_are_read_as_seconds_since_the_first(self):
         def date(i, form="2024-02-28T23:59:{:06.3f}"):
             seconds = 55 + 0.05 * i

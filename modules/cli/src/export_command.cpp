@@ -174,6 +174,12 @@ void add_export_command(CLI::App& app) {
       ->delimiter(',')
       ->expected(3)
       ->check(CLI::Range(-1e4, 1e4));
+  openfast
+      ->add_option(
+          "--reference", options->openfast.reference,
+          "height above the still water from which StC_P_Z counts: ElastoDyn's PtfmRefzt for the substructure, "
+          "TowerBsHt for the tower [m] [0]")
+      ->check(CLI::Range(-1e4, 1e4));
   openfast->add_option("--openfast", options->openfast.version, "version of OpenFAST, 4 or 5 [5]")
       ->check(CLI::IsMember({4, 5}));
   openfast->add_option("--from", options->openfast.from, "time of the run that becomes 0 s")

@@ -15,6 +15,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/formats/ledger.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/lines.hpp"
 #include "brash/geometry/repair.hpp"
@@ -102,24 +103,19 @@ geometry::Lines read_lines(const std::string& path, const SheetFile& sheet) {
   return *std::move(lines);
 }
 
-std::string ledger_text(const CrackRun& run, const Origin& origin) {
+std::string text_of(const CrackRun& run, const Origin& origin) {
   const geometry::Ledger ledger = run.ledger();
-  nlohmann::ordered_json json;
-  const auto put = [&](const char* name, ExactArea area) { json[name] = area.to_string(); };
-  put("initial", ledger.initial);
-  put("sheet", ledger.sheet);
-  put("floes", ledger.floes);
-  put("crushed", ledger.crushed);
-  put("deleted", ledger.deleted);
-  put("brash", ledger.brash);
-  put("snap", ledger.snap);
-  put("missing", ledger.missing());
-  json["closes"] = ledger.closes();
-  json["n_rounded"] = ledger.n_rounded;
-  json["n_sheet_parts"] = run.sheet().size();
-  json["n_floes"] = run.n_floes();
-  if (origin != Origin{}) json["origin"] = {origin.x.to_string(), origin.y.to_string()};
-  return json.dump(2);
+  return formats::ledger_text(
+      {{"initial", ledger.initial},
+       {"sheet", ledger.sheet},
+       {"floes", ledger.floes},
+       {"crushed", ledger.crushed},
+       {"deleted", ledger.deleted},
+       {"brash", ledger.brash},
+       {"snap", ledger.snap},
+       {"missing", ledger.missing()}},
+      ledger.closes(),
+      {{"n_rounded", ledger.n_rounded}, {"n_sheet_parts", run.sheet().size()}, {"n_floes", run.n_floes()}}, origin);
 }
 
 struct CrackOptions {
@@ -218,7 +214,7 @@ void crack(const CrackOptions& options) {
   apply_cuts(options, sheet, run);
   map.features = run.features();
   if (!options.output.empty()) write_map_file(options.output, map);
-  print_data(ledger_text(run, map.origin) + "\n");
+  print_data(text_of(run, map.origin) + "\n");
   say_place(options.sheet, map, !options.origin.empty());
   if (!run.ledger().closes()) {
     throw RunError(fmt::format("crack: the ledger misses {} m2", run.ledger().missing().to_string()));

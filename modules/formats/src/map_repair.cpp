@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "brash/formats/ledger.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/repair.hpp"
 
@@ -12,24 +13,22 @@ using geometry::Feature;
 using geometry::Map;
 using geometry::Repair;
 
-std::string ledger_text(const Repair& repair, const Map& map) {
-  nlohmann::ordered_json json;
-  const auto put = [&](const char* name, geometry::ExactArea area) { json[name] = area.to_string(); };
-  put("given", repair.given);
-  put("kept", repair.kept);
-  put("overlap", repair.overlap);
-  put("folded", repair.folded);
-  put("snap", repair.snap);
-  put("missing", repair.missing());
-  json["closes"] = repair.closes();
-  json["n_changed"] = repair.changed.size();
-  json["n_gone"] = repair.gone.size();
-  json["n_polygons"] = map.features.size();
-  json["changed"] = repair.changed;
-  json["faults"] = nlohmann::ordered_json::array();
-  for (const geometry::Fault& fault : repair.faults) json["faults"].push_back(fault.what);
-  if (map.origin != geometry::Origin{}) json["origin"] = {map.origin.x.to_string(), map.origin.y.to_string()};
-  return json.dump(2);
+std::string text_of(const Repair& repair, const Map& map) {
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  for (const geometry::Fault& fault : repair.faults) faults.push_back(fault.what);
+  return ledger_text({{"given", repair.given},
+                      {"kept", repair.kept},
+                      {"overlap", repair.overlap},
+                      {"folded", repair.folded},
+                      {"snap", repair.snap},
+                      {"missing", repair.missing()}},
+                     repair.closes(),
+                     {{"n_changed", repair.changed.size()},
+                      {"n_gone", repair.gone.size()},
+                      {"n_polygons", map.features.size()},
+                      {"changed", repair.changed},
+                      {"faults", faults}},
+                     map.origin);
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ std::string repair_map(const std::string& path, Map& map) {
     if (!is_first) feature.id = next_id++;
   }
   map.features = std::move(features);
-  return ledger_text(*repair, map);
+  return text_of(*repair, map);
 }
 
 }  // namespace brash::formats

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "brash/formats/ledger.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/repair.hpp"
 #include "brash/geometry/unite.hpp"
@@ -28,19 +29,13 @@ void add(const Union& part, Union& sum) {
   sum.n_rounded += part.n_rounded;
 }
 
-std::string ledger_text(const Union& sum, const Map& map) {
-  nlohmann::ordered_json json;
-  const auto put = [&](const char* name, geometry::ExactArea area) { json[name] = area.to_string(); };
-  put("given", sum.given);
-  put("united", sum.united);
-  put("overlap", sum.overlap);
-  put("snap", sum.snap);
-  put("missing", sum.missing());
-  json["closes"] = sum.closes();
-  json["n_rounded"] = sum.n_rounded;
-  json["n_polygons"] = map.features.size();
-  if (map.origin != geometry::Origin{}) json["origin"] = {map.origin.x.to_string(), map.origin.y.to_string()};
-  return json.dump(2);
+std::string text_of(const Union& sum, const Map& map) {
+  return ledger_text({{"given", sum.given},
+                      {"united", sum.united},
+                      {"overlap", sum.overlap},
+                      {"snap", sum.snap},
+                      {"missing", sum.missing()}},
+                     sum.closes(), {{"n_rounded", sum.n_rounded}, {"n_polygons", map.features.size()}}, map.origin);
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ std::string unite_map(const std::string& path, Map& map, const io::Notes& notes)
       features.push_back({polygon, kind, static_cast<std::int64_t>(features.size())});
   }
   map.features = std::move(features);
-  return ledger_text(sum, map);
+  return text_of(sum, map);
 }
 
 }  // namespace brash::formats

@@ -86,8 +86,9 @@ std::string to_openfast_structural_control(const std::string& forces_file, const
   text += heading("StC LOCATION");
   text += line(fmt::format("{}", options.point.x), "StC_P_X", "from the reference point of the component (m)");
   text += line(fmt::format("{}", options.point.y), "StC_P_Y", "the same for y (m)");
-  text +=
-      line(fmt::format("{}", options.point.z), "StC_P_Z", "the same for z (m); 0 is the still water of the ice run");
+  const std::string level =
+      fmt::format("the same for z (m); the still water of the ice run is at {}", -options.reference + 0.0);
+  text += line(fmt::format("{}", options.point.z - options.reference), "StC_P_Z", level.c_str());
   text += heading("StC INITIAL CONDITIONS") + unused(kStart) + line("\"none\"", "StC_Z_PreLd", "not used");
   text += heading("StC CONFIGURATION") + unused(kStops);
   text += heading("StC MASS, STIFFNESS, & DAMPING") + unused(kMasses) + unused(std::array{dialect.joint_mass});

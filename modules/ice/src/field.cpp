@@ -73,7 +73,7 @@ struct Accounts {
     visit("deleted", "1", "the same of deleted floes", ledger.deleted);
     visit("brash", "1", "the same of pieces without a body", ledger.brash);
     visit("snap", "1", "the same, moved by rounding to the grid", ledger.snap);
-    visit("n_rounded", "1", "crossings rounded to the grid", ledger.n_rounded);
+    visit("n_rounded", "1", "vertices that rounding made or led an edge to", ledger.n_rounded);
   }
 };
 

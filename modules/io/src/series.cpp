@@ -140,20 +140,34 @@ bool holds_times(const Series& series, std::size_t column) {
          (!series.units[column].empty() && is_unit_of_time(series.units[column]));
 }
 
+/// Whether a unit under a name is the one in the name.
+bool is_same_unit(const std::string& one, const std::string& other) {
+  const auto ratio = read_quantity("1 " + one, other);
+  return ratio && *ratio == 1.0;
+}
+
 /// Takes a line of units under the names, when the one of the times is a unit of time.
+/// @param place  of the line, for messages.
 /// @return whether it was one.
-bool take_units(Series& series, const std::vector<std::string_view>& cells) {
+bool take_units(Series& series, const std::vector<std::string_view>& cells, const std::string& place) {
   const auto times = time_column(series.names);
-  const bool fits = times && cells.size() == series.names.size() &&
-                    std::ranges::all_of(series.units, [](const std::string& unit) { return unit.empty(); });
-  if (!fits) return false;
+  if (!times || cells.size() != series.names.size()) return false;
   std::vector<std::string> units;
   for (const std::string_view cell : cells) {
     const auto [outside, bracketed] = name_and_unit(std::string(cell));
     units.push_back(outside.empty() ? bracketed : std::string(cell));
   }
   if (!is_unit_of_time(units[*times])) return false;
-  series.units = std::move(units);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    std::string& in_name = series.units[i];
+    if (in_name.empty())
+      in_name = units[i];
+    else if (!units[i].empty() && units[i] != "-" && !is_same_unit(units[i], in_name))
+      throw InputError(Complaint{
+          fmt::format("{}: column '{}'", place, printable(series.heads[i])),
+          fmt::format("has the unit '{}' under a name that ends with '{}'", printable(units[i]), printable(in_name)),
+          "one unit", "take the wrong one out of the name or out of the line of units"});
+  }
   return true;
 }
 
@@ -326,7 +340,8 @@ class TextSeries {
       units_may_follow_ = true;
       return;
     }
-    if (std::exchange(units_may_follow_, false) && take_units(series_, cells)) return;
+    if (std::exchange(units_may_follow_, false) && take_units(series_, cells, fmt::format("{}:{}", path_, number)))
+      return;
     if (series_.rows.size() >= 2 && is_remark(cells, *layout_)) {
       if (!remark_) remark_ = NumberedLine{std::string(content), number};
       return;

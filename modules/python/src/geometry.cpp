@@ -238,7 +238,7 @@ void add_values(py::module_& m) {
       .def_property_readonly(
           "snap", [](const Cut& c) { return fraction(c.snap); },
           "Area that rounding to the grid moved out of the ice, a Fraction [m2].")
-      .def_readonly("n_rounded", &Cut::n_rounded, "Crossings that became new vertices.");
+      .def_readonly("n_rounded", &Cut::n_rounded, "Vertices that rounding made or led an edge to.");
   py::class_<geometry::Union>(m, "Union", "A union of polygons: given = united + overlap + snap, exactly.")
       .def_readonly("polygons", &geometry::Union::polygons, "Simple and apart, but for common vertices.")
       .def_property_readonly(

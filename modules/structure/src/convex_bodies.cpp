@@ -13,6 +13,7 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/plane.hpp"
 #include "brash/structure/inner_radius.hpp"
+#include "extreme_points.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {
@@ -62,30 +63,14 @@ TriangleMesh in_order(const TriangleMesh& mesh) {
   return sorted;
 }
 
-/// Each point once, and of many points the farthest in each of the directions, which are spread evenly (Fibonacci).
-std::vector<Vec3> farthest(std::vector<Vec3> points) {
-  const auto order = [](const Vec3& v) { return std::tuple(v.x, v.y, v.z); };
-  const auto keep_one_of_each = [&](std::vector<Vec3>& all) {
-    std::ranges::sort(all, {}, order);
-    all.erase(std::ranges::unique(all).begin(), all.end());
-  };
-  keep_one_of_each(points);
-  if (points.size() <= kManyPoints) return points;
-  constexpr double kGoldenAngle = 2.399963229728653;
-  std::vector<Vec3> far;
-  for (int i = 0; i < kDirections; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z), around = kGoldenAngle * i;
-    const Vec3 towards{r * std::cos(around), r * std::sin(around), z};
-    far.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& v) { return dot(towards, v); }));
-  }
-  keep_one_of_each(far);
-  return far;
-}
+struct Box {
+  Vec3 least, most;
+};
 
 /// The closed convex hull of points; without a volume when they lie in a plane.
-TriangleMesh hull_of(const std::vector<Vec3>& points) {
-  if (points.size() > kManyPoints)
-    if (std::vector<Vec3> far = farthest(points); far.size() < points.size()) return hull_of(far);
+TriangleMesh hull_of(std::vector<Vec3> points) {
+  if (points.size() > kManyPoints) keep_one_of_each(points);
+  if (points.size() > kManyPoints) points = extreme_points(std::move(points), kDirections);
   if (points.size() < 4) return {};
   std::vector<Point> cloud;
   for (const Vec3 p : points) cloud.emplace_back(p.x, p.y, p.z);
@@ -107,10 +92,6 @@ TriangleMesh hull_of(const std::vector<Vec3>& points) {
   }
   return in_order(hull);
 }
-
-struct Box {
-  Vec3 least, most;
-};
 
 /// The part of a polygon on one side of an axis-parallel plane: below it when `sign` is 1, above it when -1.
 void keep_side(std::vector<Vec3>& polygon, int axis, double at, double sign) {
@@ -155,8 +136,8 @@ struct Piece {
   Box box;
   std::vector<std::size_t> triangles;  ///< of the shell, those that reach into the box
   double volume = 0.0;                 ///< of the shell in the box [m3]
-  std::vector<Vec3> corners;           ///< of the shell in the box
-  double excess = 0.0;                 ///< of their convex hull [m3]
+  TriangleMesh hull;                   ///< convex, of the shell in the box
+  double excess = 0.0;                 ///< of the hull [m3]
 };
 
 /// Volume of the shell in the box up to the box's end along y [m3]. The flux of (y - y_end) through the closed part is
@@ -177,21 +158,23 @@ double volume_up_to(const TriangleMesh& shell, const std::vector<std::size_t>& t
 }
 
 Piece piece_of(const TriangleMesh& shell, const Box& box, const std::vector<std::size_t>& candidates) {
-  Piece piece{.box = box, .triangles = {}, .volume = 0.0, .corners = {}, .excess = 0.0};
+  Piece piece{.box = box, .triangles = {}, .volume = 0.0, .hull = {}, .excess = 0.0};
+  std::vector<Vec3> points;
   for (const std::size_t t : candidates) {
     if (within(corners(shell, t), box, 1).empty()) continue;
     piece.triangles.push_back(t);  // all that lie in front along y: the volume needs them
     const std::vector<Vec3> part = within(corners(shell, t), box);
-    piece.corners.insert(piece.corners.end(), part.begin(), part.end());
+    points.insert(points.end(), part.begin(), part.end());
   }
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{i & 1 ? box.most.x : box.least.x, i & 2 ? box.most.y : box.least.y,
                       i & 4 ? box.most.z : box.least.z};
-    if (is_inside(corner, shell)) piece.corners.push_back(corner);
+    if (is_inside(corner, shell)) points.push_back(corner);
   }
   piece.volume =
       volume_up_to(shell, piece.triangles, box, box.most.y) - volume_up_to(shell, piece.triangles, box, box.least.y);
-  piece.excess = std::max(0.0, signed_volume(hull_of(piece.corners)) - piece.volume);
+  piece.hull = hull_of(std::move(points));
+  piece.excess = std::max(0.0, signed_volume(piece.hull) - piece.volume);
   return piece;
 }
 
@@ -265,10 +248,11 @@ Box box_around(const std::vector<Vec3>& points) {
 
 std::vector<Piece> pieces_of(const TriangleMesh& shell) {
   const Box box = box_around(shell.vertices);
-  Piece whole{.box = box, .triangles = {}, .volume = signed_volume(shell), .corners = shell.vertices, .excess = 0.0};
+  Piece whole{
+      .box = box, .triangles = {}, .volume = signed_volume(shell), .hull = hull_of(shell.vertices), .excess = 0.0};
   whole.triangles.resize(shell.triangles.size());
   std::iota(whole.triangles.begin(), whole.triangles.end(), std::size_t{0});
-  whole.excess = std::max(0.0, signed_volume(hull_of(shell.vertices)) - whole.volume);
+  whole.excess = std::max(0.0, signed_volume(whole.hull) - whole.volume);
   std::vector<Piece> pieces{std::move(whole)};
   const auto excess = [&] {
     return std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double s, const Piece& p) { return s + p.excess; });
@@ -333,10 +317,9 @@ ConvexBodies convex_bodies(const TriangleMesh& mesh) {
   for (int s = 0; s < n_shells; ++s) {
     const TriangleMesh shell = part_of(mesh, [&, &of = shell_of](std::size_t t) { return of[t] == s; });
     for (const Piece& piece : pieces_of(shell)) {
-      const TriangleMesh whole = hull_of(piece.corners);
-      const double volume = signed_volume(whole);
+      const double volume = signed_volume(piece.hull);
       if (!(volume > 0.0)) continue;
-      const TriangleMesh body = with_few_corners(whole);
+      const TriangleMesh body = with_few_corners(piece.hull);
       wrong += piece.excess + std::max(0.0, std::max(volume, piece.volume) - signed_volume(body));
       bodies.parts.push_back(body.vertices);
     }

@@ -30,13 +30,16 @@ std::array<Vec3, 3> in_world(const Pose& pose, const std::array<Vec3, 3>& triang
   return {to_world(pose, triangle[0]), to_world(pose, triangle[1]), to_world(pose, triangle[2])};
 }
 
-/// Whether the plan of a triangle may reach into a region, and its heights into a slab.
+/// Whether the plan of a triangle may reach into a region, and its heights into a slab. A steep face leans inwards in
+/// the ice, so it may lie a little outside. Without this, a vertical face whose plan is a line misses the region of its
+/// own outline where that is rounded.
 bool reaches(const std::array<Vec3, 3>& t, double bottom, double top, const PlanBox& region) {
+  const double lean = kLean * (top - bottom);
   const auto [x0, x1] = std::minmax({t[0].x, t[1].x, t[2].x});
   const auto [y0, y1] = std::minmax({t[0].y, t[1].y, t[2].y});
   const auto [z0, z1] = std::minmax({t[0].z, t[1].z, t[2].z});
-  return z1 > bottom && z0 < top && x1 >= region.lower.x && x0 <= region.upper.x && y1 >= region.lower.y &&
-         y0 <= region.upper.y;
+  return z1 > bottom && z0 < top && x1 >= region.lower.x - lean && x0 <= region.upper.x + lean &&
+         y1 >= region.lower.y - lean && y0 <= region.upper.y + lean;
 }
 
 }  // namespace

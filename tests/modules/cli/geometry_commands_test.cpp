@@ -226,6 +226,16 @@ std::string moved(const std::string& text, int x, int y) {
   return result.append(last, text.end());
 }
 
+BOOST_FIXTURE_TEST_CASE(edges_that_are_led_to_the_ends_of_a_line_are_counted_as_rounded, Folder) {
+  // Both ends are drawn on an edge, to nine digits.
+  const std::string sheet = write("sheet.wkt", "POLYGON ((0 0, 7 1, 6 5, 1 4, 0 0))"),
+                    line = write("line.wkt", "LINESTRING (3 0.428571428, 2.5 4.3)");
+  const auto ledger = output_of(*this, {"crack", "--sheet", sheet, "--along", line});
+  BOOST_TEST(ledger["n_floes"] == 2);
+  BOOST_TEST(ledger["snap"] != "0");
+  BOOST_TEST(ledger["n_rounded"] == 2);
+}
+
 BOOST_AUTO_TEST_CASE(the_same_case_at_northing_9_000_000_gives_the_same_pieces) {
   // Ten decimals and more, which a double no longer holds there.
   const std::string sheet = "POLYGON ((0.1234567891 0.3, 100.0000000007 1.1, 110.5 60.7777777777, 0.1234567891 0.3))";

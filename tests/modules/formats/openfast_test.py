@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -37,6 +38,26 @@ def read_control(path, names=LINES):
         assert found == name, text
         values[name] = value
     return values
+
+
+# The lines of ServoDyn's section on structural control, in the order of its reader, and those of the main file from the
+# run's time on: 4, and 5 with four more. Each has its value first.
+SERVODYN = ("NumBStC", "BStCfiles", "NumNStC", "NStCfiles", "NumTStC", "TStCfiles", "NumSStC", "SStCfiles")
+MAIN = {4: ("TMax", "DT", "InterpOrder", "NumCrctn", "DT_UJac"),
+        5: ("TMax", "DT", "ModCoupling", "InterpOrder", "NumCrctn", "RhoInf", "ConvTol", "MaxConvIter", "DT_UJac")}
+
+
+def changes_on_page():
+    """For each diff of the tutorial its pairs (name, before, after)."""
+    page = (SOURCE / "docs/tutorials/wind.md").read_text(encoding="utf-8")
+    result = []
+    for block in re.findall(r"^```diff\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
+        lines = [(line[0], *line[1:].split()) for line in block.splitlines()]
+        olds, news = lines[0::2], lines[1::2]
+        assert [line[0] for line in lines] == ["-", "+"] * len(olds), block
+        assert [old[2] for old in olds] == [new[2] for new in news], block
+        result.append([(old[2], old[1], new[1]) for old, new in zip(olds, news)])
+    return page, result
 
 
 def read_forces(path):
@@ -110,6 +131,41 @@ class OpenFast(unittest.TestCase):
         self.export("-o", self.folder / "old", "--openfast", "4")
         names = ["StC_XY_M" if name == "StC_Omni_M" else name for name in LINES]
         self.assertEqual(read_control(self.folder / "old/ice_StC.dat", names)["StC_DOF_MODE"], "4")
+
+    def test_the_point_counts_from_the_reference_of_the_component(self):
+        for version in (4, 5):
+            names = LINES if version == 5 else ["StC_XY_M" if name == "StC_Omni_M" else name for name in LINES]
+            self.export("-o", self.folder / "raised", "--openfast", str(version), "--point", "0.5,0,-2", "--reference", "10")
+            control = read_control(self.folder / "raised/ice_StC.dat", names)
+            self.assertEqual([float(control[f"StC_P_{axis}"]) for axis in "XYZ"], [0.5, 0.0, -12.0])
+        text = (self.folder / "raised/ice_StC.dat").read_text(encoding="ascii")
+        self.assertIn("the still water of the ice run is at -10", text)
+        # The reference moves the point in OpenFAST's axes, and not the load's moments.
+        self.export("-o", self.folder / "level", "--point", "0.5,0,-2")
+        self.assertEqual((self.folder / "level/ice_forces.dat").read_bytes(),
+                         (self.folder / "raised/ice_forces.dat").read_bytes())
+        self.assertIn("is at 0\n", (self.folder / "level/ice_StC.dat").read_text(encoding="ascii"))
+
+    def test_the_tutorial_changes_lines_that_openfast_has_to_values_that_fit(self):
+        page, (main, servodyn) = changes_on_page()
+        for names in MAIN.values():
+            places = [names.index(name) for name, _, _ in main]
+            self.assertEqual(places, sorted(places))
+        places = [SERVODYN.index(name) for name, _, _ in servodyn]
+        self.assertEqual(places, sorted(places))
+        values = {name: after for name, _, after in main + servodyn}
+        self.assertEqual((values["InterpOrder"], values["NumCrctn"], values["NumSStC"]), ("1", "2", "1"))
+        # The documented command: its files have the names of the diff, its load lasts as long as TMax.
+        words = re.search(r"^brash export openfast (\S+) (.*--reference.*)$", page, re.MULTILINE)[2].split()
+        self.assertEqual(words[words.index("--reference") + 1], "10")
+        duration = float(re.search(r"^duration = (\S+)$", page, re.MULTILINE)[1])
+        self.assertEqual(float(values["TMax"]), duration - float(words[words.index("--from") + 1]))
+        words[words.index("--from") + 1], words[words.index("--ramp") + 1] = "0.5", "0.2"  # of this test's short run
+        words[words.index("-o") + 1] = str(self.folder / "monopile")
+        self.export(*words)
+        control = read_control(self.folder / "monopile" / values["SStCfiles"].strip('"'))
+        self.assertEqual(float(control["StC_P_Z"]), -10.0)
+        self.assertTrue((self.folder / "monopile" / control["PrescribedForcesFile"].strip('"')).is_file())
 
     def test_a_start_after_the_end_is_refused(self):
         self.assertIn("less than the end of the run", self.export("--from", "7", code=2))

@@ -9,6 +9,7 @@
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/structure/inner_radius.hpp"
 #include "convex_bodies.hpp"
+#include "extreme_points.hpp"
 #include "meshes.hpp"
 #include "triangle_mesh.hpp"
 
@@ -150,6 +151,18 @@ BOOST_AUTO_TEST_CASE(a_vertical_side_keeps_a_strip_of_ice_with_the_area_of_the_f
   BOOST_TEST(area(f.trailing) == (4.0 - 2.0 * strip) * (2.0 - 2.0 * strip), boost::test_tools::tolerance(1e-5));
 }
 
+/// The wall of a mesh lost its load wherever the grid rounds its strip of ice inwards: at half of all places.
+BOOST_AUTO_TEST_CASE(a_vertical_side_is_found_wherever_the_grid_rounds_its_strip) {
+  const double bottom = -0.3, top = 0.1;
+  const MeshHull mesh = hull(box({-2.0, -1.0, -1.0}, {2.0, 1.0, 2.0}));
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose{{0.0123456789 * i, 0.0, 0.0}, {}};
+    const geometry::Extent front = geometry::extent({geometry::ring(mesh.footprint(pose, bottom, top).leading[0]), {}});
+    const auto sides = mesh.sides(pose, bottom, top, {{front.upper.x - 1e-4, -0.5}, front.upper});
+    BOOST_TEST(std::ranges::any_of(sides, [](const SidePiece& side) { return side.normal.x > 0.9; }));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(only_sides_near_a_region_are_listed) {
   const MeshHull mesh = hull(sphere({}, 4.0, 64));
   const auto all = mesh.sides({}, -0.3, 0.1, {}), ahead = mesh.sides({}, -0.3, 0.1, {{3.9, -0.2}, {5.0, 0.2}});
@@ -223,6 +236,24 @@ BOOST_AUTO_TEST_CASE(a_hull_of_many_triangles_is_one_part_of_nearly_its_volume) 
   BOOST_REQUIRE(bodies.parts.size() == 1u);
   BOOST_TEST(bodies.parts[0].size() <= 256u);
   BOOST_TEST(bodies.error < 0.03);
+}
+
+BOOST_AUTO_TEST_CASE(extreme_points_are_the_farthest_of_all_points) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<Vec3> cloud;
+  for (int i = 0; i < 3000; ++i) cloud.push_back({5.0 * unit(random), unit(random), 0.2 * unit(random)});
+  for (std::vector<Vec3> points :
+       {cloud, sphere({1.0, 2.0, 3.0}, 4.0, 40).vertices, box({0, 0, 0}, {2, 3, 4}).vertices}) {
+    keep_one_of_each(points);
+    std::vector<Vec3> far;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 towards = spread_direction(i, 200);
+      far.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& v) { return dot(towards, v); }));
+    }
+    keep_one_of_each(far);
+    BOOST_TEST((extreme_points(points, 200) == far));
+  }
 }
 
 /// Outlines of any pose are simple rings that the exact geometry takes: the bow, stern and legs of what there is.

@@ -27,7 +27,7 @@ struct Cut {
   /// Area that the rounding of crossings to the grid moved out of (or into, negative) the ice; computed from the
   /// re-routed edges, not as a remainder.
   ExactArea snap;
-  /// How many crossings became new vertices, each rounded to the grid.
+  /// How many vertices rounding to the grid made, or led an edge of the ice to. It is above 0 where `snap` is not 0.
   std::int64_t n_rounded = 0;
   /// Around all free edges that went or came: more than the pieces, for an edge that is cut is moved as a whole by the
   /// rounding of the crossing.

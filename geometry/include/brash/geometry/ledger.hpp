@@ -21,7 +21,7 @@ struct Ledger {
   /// Pieces too small or too thin for a body.
   ExactArea brash;
   ExactArea snap;
-  /// How many crossings were rounded to the grid.
+  /// How many vertices rounding to the grid made, or led an edge to.
   std::int64_t n_rounded = 0;
 
   ExactArea missing() const { return initial - (sheet + floes + crushed + deleted + brash + snap); }

@@ -13,6 +13,9 @@ struct OpenFastOptions {
   int version = 5;  ///< of OpenFAST: 4 or 5, which name a line and number the mode differently
   /// Point of application [m]: x as the ice drifts, z upwards, from the structure's origin in the waterplane.
   Vec3 point{};
+  /// Height above the still water of the point from which OpenFAST counts the point of application: PtfmRefzt of
+  /// ElastoDyn for a control of the substructure, TowerBsHt for one of the tower [m].
+  double reference = 0.0;
   double from = 0.0;  ///< time of the run that becomes 0 [s]
   double ramp = 0.0;  ///< the load grows linearly from zero in this time after `from` [s]
 };
