@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "brash/simulation/warnings.hpp"
 #include "warnings.hpp"
 
 namespace {
@@ -16,8 +17,7 @@ using namespace brash::test;
 BOOST_AUTO_TEST_CASE(a_path_whose_heading_points_away_from_its_course_is_warned_of) {
   const auto text = [](const std::string& path) {
     const std::string file = kSource + "/tests/modules/simulation/turning_path.toml";
-    return text_of(simulation::derived_scales(io::read_case(file, {"structure.motion.path=" + path})).warnings,
-                   "path-heading");
+    return text_of(advice::warnings_of(io::read_case(file, {"structure.motion.path=" + path})), "path-heading");
   };
   const auto backwards = text("[[0,-7,0,3],[20,13,0,3]]");  // 3 degrees were meant
   BOOST_TEST(says(backwards, "from 0 to 20 s its course is 0 rad and its heading 3 rad"), backwards);
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(a_path_whose_heading_points_away_from_its_course_is_warned_
 BOOST_AUTO_TEST_CASE(a_run_that_touches_no_ice_says_so_and_gets_no_interval) {
   const auto summary = [](std::vector<std::string> settings) {
     settings.insert(settings.end(), {"failure.model=wedge", "output.statistics_from=0.05"});
-    return simulation::run(validation(settings)).summary;
+    return advice::run(validation(settings)).summary;
   };
   const simulation::RunSummary none = summary({"time.duration=0.1"});  // the cone is 0.18 m away
   const auto text = text_of(none.warnings, "no-load");
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_touches_no_ice_says_so_and_gets_no_interval) {
 BOOST_AUTO_TEST_CASE(a_structure_beside_a_field_of_floes_or_before_it_does_not_reach_the_ice) {
   const std::string file = kSource + "/experiments/fields/cone.toml";
   const auto warnings = [&](const std::vector<std::string>& settings) {
-    return simulation::derived_scales(io::read_case(file, settings)).warnings;
+    return advice::warnings_of(io::read_case(file, settings));
   };
   BOOST_TEST(warnings({}).empty());
   BOOST_TEST(has(warnings({"structure.start_distance=70"}), "no-contact"));
@@ -56,10 +56,9 @@ BOOST_AUTO_TEST_CASE(a_structure_beside_a_field_of_floes_or_before_it_does_not_r
   const auto path = [](double y) { return fmt::format("structure.motion.path=[[0,-10,{},0],[30,20,{},0]]", y, y); };
   const std::string barge = kSource + "/tests/modules/simulation/turning_path.toml";
   const auto along = [&](double y) {
-    return simulation::derived_scales(
-               io::read_case(barge, {path(y), "time.duration=30", "field.kind=floes", "field.concentration=0.3",
-                                     "field.border=walls", "field.size.least=4", "field.size.largest=12"}))
-        .warnings;
+    return advice::warnings_of(
+        io::read_case(barge, {path(y), "time.duration=30", "field.kind=floes", "field.concentration=0.3",
+                              "field.border=walls", "field.size.least=4", "field.size.largest=12"}));
   };
   BOOST_TEST(says(text_of(along(60.0), "no-contact"), "beside or behind the field"));
   BOOST_TEST(!has(along(0.0), "no-contact"));
@@ -67,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_structure_beside_a_field_of_floes_or_before_it_does_not_r
   const auto behind = warnings({"structure.start_distance=-260"});
   BOOST_TEST(has(behind, "no-contact"));
   BOOST_TEST(!has(behind, "leaves-field"));
-  const auto beside = simulation::derived_scales(io::read_case(barge, {path(60.0), "time.duration=30"})).warnings;
+  const auto beside = advice::warnings_of(io::read_case(barge, {path(60.0), "time.duration=30"}));
   BOOST_TEST(has(beside, "no-contact"));  // of level ice
   BOOST_TEST(!has(beside, "leaves-field"));
   BOOST_TEST(!has(along(10.0), "leaves-field"));
@@ -87,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_structure_at_rest_in_drifting_ice_is_judged_by_the_speed_
     settings.insert(settings.end(),
                     {"structure.motion.path=[[0,-10,0,0],[20,-10,0,0]]", "field.kind=floes", "field.concentration=0.3",
                      "field.size.least=4", "field.size.largest=12", "reference.source='model ice'"});
-    return simulation::derived_scales(io::read_case(file, settings)).warnings;
+    return advice::warnings_of(io::read_case(file, settings));
   };
   const auto drifting = at_rest({"water.current=[-0.5,0]"});
   BOOST_TEST(!has(drifting, "few-iterations"));
@@ -121,7 +120,7 @@ BOOST_AUTO_TEST_CASE(the_ice_of_a_map_of_floes_is_checked_as_the_ice_of_the_case
         R"({"type":"Polygon","coordinates":[[[20,0],[24,0],[24,4],[20,0]]]}},{"type":"Feature","properties":)" +
             properties + R"(,"geometry":{"type":"Polygon","coordinates":[[[1,0],[5,0],[5,4],[1,0]]]}}]})");
     const std::string file = kSource + "/tests/experiments/field-of-file.toml";
-    return simulation::derived_scales(io::read_case(file, {"field.file=" + map.path})).warnings;
+    return advice::warnings_of(io::read_case(file, {"field.file=" + map.path}));
   };
   const auto strength = text_of(warnings(R"({"flexural_strength": 400})"), "flexural-strength");
   BOOST_TEST(says(strength, "feature 1"), strength);

@@ -5,21 +5,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 
+#include "brash/advice/advice.hpp"
 #include "brash/failure/response_model.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/variation.hpp"
-#include "brash/simulation/run.hpp"
-#include "brash/simulation/warnings.hpp"
-#include "brash/structure/hull.hpp"
-#include "brash/structure/motion.hpp"
-#include "edge_contact.hpp"
-#include "statistics_window.hpp"
 
-namespace brash::simulation {
+namespace brash::advice {
+
+using simulation::Course;
+using simulation::DerivedScales;
+using simulation::StatisticsWindow;
+
 namespace {
 
 /// Sides nearer than this many characteristic lengths change how the ice bends: the plate of the failure model has
@@ -109,12 +110,13 @@ void add_wall_warning(const model::Case& c, const Course& course, Warnings& warn
 
 }  // namespace
 
-void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  const Course course = course_of(c);
+void add_field_warnings(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const Course& course = setup.course;
   if (c.field.kind == model::FieldKind::kLevelIce) {
     add_reach_warning(c, course, warnings);
-    if (course.meets || course.end <= 0.0) add_border_warnings(c, course, scales, warnings);
-  } else if (goes_as_told(c.structure.motion)) {
+    if (course.meets || course.end <= 0.0) add_border_warnings(c, course, setup.scales, warnings);
+  } else if (simulation::goes_as_told(c.structure.motion)) {
     add_reach_warning(c, course, warnings);
     add_wall_warning(c, course, warnings);
   }
@@ -150,7 +152,7 @@ std::string when_they_begin(const model::Case& c, const Course& course, const St
                             const DerivedScales& scales) {
   if (model::speed(c.structure.motion) < kAtRest)
     return window.begins + ", and it does not pass it in this run: set output.statistics_from";
-  const double from = (place_of_begin(c, scales.initial_crack_radius) - course.axis) / course.speed;
+  const double from = (simulation::place_of_begin(c, scales.initial_crack_radius) - course.axis) / course.speed;
   return fmt::format("{} at {:.3g} s: {}, or set output.statistics_from", window.begins, from,
                      longer_run(c, from, course.speed, scales.characteristic_length));
 }
@@ -168,7 +170,7 @@ void add_early_warning(const model::Case& c, const Course& course, double radius
                                          "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
                                          "or leave it out",
                                          from, contact)});
-  else if (has_initial_crack(c) && from < past_crack && !of_paper)
+  else if (simulation::has_initial_crack(c) && from < past_crack && !of_paper)
     warnings.push_back(
         {"early-statistics",
          fmt::format("the statistics begin at {:.3g} s, and the structure has passed the floes of the initial crack at "
@@ -177,9 +179,11 @@ void add_early_warning(const model::Case& c, const Course& course, double radius
                      from, past_crack)});
 }
 
-void add_statistics_warnings(const model::Case& c, const Course& course, const DerivedScales& scales,
-                             Warnings& warnings) {
-  const StatisticsWindow window = statistics_window(c, scales.initial_crack_radius);
+void add_statistics_warnings(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const DerivedScales& scales = setup.scales;
+  const Course& course = setup.course;
+  const StatisticsWindow& window = setup.window;
   const double from = window.from, speed = passing_speed(c, course), travel = speed * (window.until - from);
   add_early_warning(c, course, scales.initial_crack_radius, warnings);
   if (from >= c.time.duration)
@@ -234,16 +238,17 @@ void add_piece_warnings(const model::Case& c, double speed, double area, double 
 
 }  // namespace
 
-void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  const Course course = course_of(c);
-  add_statistics_warnings(c, course, scales, warnings);
+void add_time_warnings(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const Course& course = setup.course;
+  add_statistics_warnings(setup, warnings);
   add_broken_step_warning(c.time, warnings);
   if (comes_at_its_speed(c) && c.time.settle_speed >= course.speed)
     warnings.push_back({"fast-sleepers", fmt::format("time.settle_speed = {} m/s is not below the structure's speed of "
                                                      "{:.3g} m/s: floes fall asleep while they drift with it; lower it",
                                                      c.time.settle_speed, course.speed)});
-  const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
-  add_piece_warnings(c, passing_speed(c, course), piece, scales.collision_time, warnings);
+  const double l_c = setup.scales.characteristic_length;
+  add_piece_warnings(c, passing_speed(c, course), 0.25 * l_c * l_c, setup.scales.collision_time, warnings);
 }
 
 namespace {
@@ -282,9 +287,10 @@ void add_poisson_warning(const model::Case& c, Warnings& warnings) {
 
 }  // namespace
 
-void add_variation_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  if (!ice::varies(c.ice)) return;
-  const double length = ice::correlation_length(c.ice), least = kEvenOver * scales.characteristic_length;
+void add_variation_warnings(const Setup& setup, Warnings& warnings) {
+  const model::IceSection& ice = setup.resolved.ice;
+  if (!ice::varies(ice)) return;
+  const double length = ice::correlation_length(ice), least = kEvenOver * setup.scales.characteristic_length;
   if (length < least)
     warnings.push_back(
         {"short-correlation",
@@ -294,8 +300,10 @@ void add_variation_warnings(const model::Case& c, const DerivedScales& scales, W
              length, least)});
 }
 
-void add_model_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion,
-                        Warnings& warnings) {
+void add_model_warnings(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const DerivedScales& scales = setup.scales;
+  const failure::BendingCriterion& criterion = *setup.criterion;
   const std::optional<double> trained = criterion.trained_thickness_over_lc();
   if (trained && std::abs(scales.thickness_over_lc / *trained - 1.0) > failure::kThicknessScaled)
     warnings.push_back(
@@ -322,16 +330,16 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
 }
 
 /// Land is solid to ice alone.
-void add_land_warning(const model::Case& c, Warnings& warnings) {
+void add_land_warning(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
   if (c.field.shore.empty()) return;
   constexpr int kSamples = 400;
   const geometry::IceSheet land = geometry::checked_sheet(ice::read_outlines(c.field.shore, c.field.origin));
-  const auto hull = structure::make_hull(c.structure);
-  const Freeboard heights = freeboard(c);
   for (int i = 0; i <= kSamples; ++i) {
     const double time = c.time.duration * i / kSamples;
     const Pose pose = structure::unresisted(c.structure, time);
-    for (const structure::Outline& section : hull->footprint(pose, heights.bottom, heights.top).leading) {
+    for (const structure::Outline& section :
+         setup.hull->footprint(pose, -setup.scales.draft, setup.scales.freeboard).leading) {
       const std::vector<geometry::Polygon> under = land.within(geometry::ring(section));
       if (under.empty()) continue;
       const Vec2 at = geometry::centroid(under.front());
@@ -344,20 +352,33 @@ void add_land_warning(const model::Case& c, Warnings& warnings) {
   }
 }
 
-Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
+std::vector<model::Warning> warnings_of(const Setup& setup) {
+  const model::Case& c = setup.resolved;
   Warnings warnings;
   add_ice_warnings(c, warnings);
-  add_idle_file_warnings(c, warnings);
+  add_idle_file_warnings(setup, warnings);
   add_left_out_warnings(c, warnings);
   add_floe_number_warning(c, warnings);
-  add_variation_warnings(c, scales, warnings);
-  add_field_warnings(c, scales, warnings);
-  add_land_warning(c, warnings);
-  add_time_warnings(c, scales, warnings);
-  add_structure_warnings(c, scales, warnings);
-  add_model_warnings(c, scales, criterion, warnings);
+  add_variation_warnings(setup, warnings);
+  add_field_warnings(setup, warnings);
+  add_land_warning(setup, warnings);
+  add_time_warnings(setup, warnings);
+  add_structure_warnings(setup, warnings);
+  add_model_warnings(setup, warnings);
   add_idle_keys_warning(c, warnings);
   return warnings;
 }
 
-}  // namespace brash::simulation
+std::vector<model::Warning> warnings_of(const model::Case& resolved) { return warnings_of(Setup(resolved)); }
+
+simulation::Run run(const model::Case& resolved, const simulation::RunOptions& options) {
+  simulation::Run run = simulation::run(resolved, options);
+  if (!run.complete) return run;
+  Warnings warnings = warnings_of(resolved);
+  std::ranges::move(run.summary.warnings, std::back_inserter(warnings));
+  std::ranges::move(warnings_of(run.summary, run.results.loads, resolved.reference), std::back_inserter(warnings));
+  run.summary.warnings = std::move(warnings);
+  return run;
+}
+
+}  // namespace brash::advice

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
+#include "brash/failure/criterion.hpp"
 #include "brash/model/case.hpp"
 #include "brash/simulation/run.hpp"
+#include "brash/simulation/scales.hpp"
+#include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
 
 namespace brash::simulation {
 
@@ -18,7 +24,22 @@ struct Course {
   bool meets = false;   ///< whether it comes into the rectangle of the field
 };
 
-Course course_of(const model::Case& c);
+/// A case and what follows from it before the first step, each made once.
+struct Setup {
+  /// @throws InputError when the failure model cannot be read.
+  explicit Setup(const model::Case& resolved);
+  Setup(const Setup&) = delete;
+  Setup& operator=(const Setup&) = delete;
+
+  const model::Case resolved;
+  const failure::IceProperties ice;
+  const std::unique_ptr<const failure::BendingCriterion> criterion;
+  const std::unique_ptr<const structure::Hull> hull;
+  const std::unique_ptr<const structure::Motion> motion;  ///< at the start
+  const DerivedScales scales;
+  const Course course;
+  const StatisticsWindow window;
+};
 
 /// Whether the structure goes where the case says: a body afloat and one that another program drives may not.
 bool goes_as_told(const model::Motion& motion);

@@ -11,23 +11,23 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/structure/floating_body.hpp"
-#include "brash/structure/hull.hpp"
 #include "brash/structure/mesh_file.hpp"
-#include "brash/structure/motion.hpp"
 #include "case_warnings.hpp"
 
-namespace brash::simulation {
+namespace brash::advice {
 namespace {
 
-void add_front_warning(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+void add_front_warning(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const double slope = setup.scales.front_slope;
   const double steepest = 0.5 * kPi - std::atan(c.ice.friction_structure);
-  if (scales.front_slope < structure::kSteepestSlope && scales.front_slope >= steepest)
+  if (slope < structure::kSteepestSlope && slope >= steepest)
     warnings.push_back({"sticking-front",
                         fmt::format("the front of the structure slopes at {:.4g} degrees: from {:.4g} degrees on, ice "
                                     "with ice.friction_structure = {:.3g} sticks to it, so there it is crushed and not "
                                     "bent",
-                                    degrees(scales.front_slope), degrees(steepest), c.ice.friction_structure)});
-  if (scales.front_slope < structure::kSteepestSlope) return;
+                                    degrees(slope), degrees(steepest), c.ice.friction_structure)});
+  if (slope < structure::kSteepestSlope) return;
   warnings.push_back({"vertical-front",
                       "the front of the structure is vertical: it crushes the ice at ice.crushing_factor * "
                       "ice.compressive_strength and bends none; buckling of the sheet, and a structure whose swaying "
@@ -57,11 +57,10 @@ void add_legs_warning(const model::Case& c, Warnings& warnings) {
 
 /// A hull askew to x and y has products of inertia and of added mass, which a body afloat leaves out, unless the case
 /// states them without.
-void add_askew_warning(const model::Case& c, const model::FloatingBody& body, Warnings& warnings) {
+void add_askew_warning(const Setup& setup, const model::FloatingBody& body, Warnings& warnings) {
   constexpr double kAskew = 0.05;  // of the product of inertia over the sum of both moments
   if (body.radii_of_gyration && body.added_mass && body.added_inertia) return;
-  const auto hull = structure::make_hull(c.structure);
-  const structure::HalfEllipsoid half = structure::fitted_ellipsoid(*hull->copies().hull);
+  const structure::HalfEllipsoid half = structure::fitted_ellipsoid(*setup.hull->copies().hull);
   const double xx = half.semi_axes.x * half.semi_axes.x, yy = half.semi_axes.y * half.semi_axes.y;
   if (0.5 * std::abs((xx - yy) * std::sin(2.0 * half.heading)) <= kAskew * (xx + yy)) return;
   warnings.push_back(
@@ -84,21 +83,19 @@ bool settles(const structure::Settling& way, double draught) {
 
 /// A structure that is not in balance on the waterplane of its frame, or turns over there. Modes in plan do not count:
 /// loads that are nearly in balance make small ones, which mean nothing.
-void add_balance_warnings(const model::Case& c, Warnings& warnings) {
-  const auto hull = structure::make_hull(c.structure);
-  const auto motion = structure::make_motion(c, *hull);
-  const structure::Settling way = motion->settling();
-  if (settles(way, -hull->bounds().first.z)) {
+void add_balance_warnings(const Setup& setup, Warnings& warnings) {
+  const structure::Settling way = setup.motion->settling();
+  if (settles(way, -setup.hull->bounds().first.z)) {
     warnings.push_back(
         {"not-in-balance",
          fmt::format("the structure is not in balance at the start: it heaves by {:.3g} m, rolls by {:.3g} and pitches "
                      "by {:.3g} degrees before the ice comes; on its waterline it displaces {:.4g} kg; check "
                      "structure.motion.mass, centre_of_gravity, thrust and mooring",
                      way.heave, degrees(way.roll), degrees(way.pitch),
-                     c.water.density * structure::displaced_by_mesh(*hull, {}).volume)});
+                     setup.resolved.water.density * structure::displaced_by_mesh(*setup.hull, {}).volume)});
     return;
   }
-  for (const structure::NaturalMode& mode : motion->natural_modes()) {
+  for (const structure::NaturalMode& mode : setup.motion->natural_modes()) {
     const std::string_view name = mode.motion;
     if (mode.squared_frequency >= 0.0 || (name != "heave" && name != "roll" && name != "pitch")) continue;
     warnings.push_back({"turns-over", fmt::format("nothing brings the structure back in {}: its centre of gravity is "
@@ -110,10 +107,10 @@ void add_balance_warnings(const model::Case& c, Warnings& warnings) {
 }
 
 /// A natural period that the steps hardly resolve: at ten steps a period the leapfrog's is 1.7 % off (B4).
-void add_period_warning(const model::Case& c, Warnings& warnings) {
+void add_period_warning(const Setup& setup, Warnings& warnings) {
   constexpr double kSteps = 10.0;
-  const auto hull = structure::make_hull(c.structure);
-  for (const structure::NaturalMode& mode : structure::make_motion(c, *hull)->natural_modes()) {
+  const model::Case& c = setup.resolved;
+  for (const structure::NaturalMode& mode : setup.motion->natural_modes()) {
     if (mode.squared_frequency <= 0.0) continue;
     const double period = 2.0 * kPi / std::sqrt(mode.squared_frequency);
     if (period >= kSteps * c.time.step) continue;
@@ -132,20 +129,21 @@ struct Drive {
   double pull = 0.0;       ///< along x without a stretch of the springs [N]
 };
 
-std::optional<Drive> drive_of(const model::Case& c) {
+std::optional<Drive> drive_of(const Setup& setup) {
+  const model::Case& c = setup.resolved;
   if (const auto* const compliant = std::get_if<model::Compliant>(&c.structure.motion))
     return Drive{compliant->mass, compliant->stiffness, 0.0};
   const auto* const moored = std::get_if<model::Moored>(&c.structure.motion);
   if (moored == nullptr || !moored->lines.empty()) return std::nullopt;
-  const auto hull = structure::make_hull(c.structure);
-  return Drive{structure::inertia_of(moored->body, *hull, c.water.density).mass, moored->stiffness[0][0],
+  return Drive{structure::inertia_of(moored->body, *setup.hull, c.water.density).mass, moored->stiffness[0][0],
                moored->body.thrust.x + (moored->pretension.empty() ? 0.0 : moored->pretension[0])};
 }
 
 /// A spring so soft that its whole way in the run does not pull with the force that breaks ice, and no momentum that
 /// breaks ice over that way.
-void add_spring_warning(const model::Case& c, Warnings& warnings) {
-  const auto drive = drive_of(c);
+void add_spring_warning(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const auto drive = drive_of(setup);
   if (!drive || c.field.kind != model::FieldKind::kLevelIce) return;
   const double speed = model::speed(c.structure.motion), way = speed * c.time.duration;
   const double pull = drive->stiffness * way + drive->pull;
@@ -289,18 +287,19 @@ const model::FloatingBody* afloat(const model::Motion& motion) {
   return nullptr;
 }
 
-void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  add_front_warning(c, scales, warnings);
+void add_structure_warnings(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  add_front_warning(setup, warnings);
   add_mesh_warnings(c.structure.shape, warnings);
   add_turn_warning(c.structure.motion, warnings);
   add_angle_warnings(c, warnings);
-  add_spring_warning(c, warnings);
-  add_period_warning(c, warnings);
+  add_spring_warning(setup, warnings);
+  add_period_warning(setup, warnings);
   const model::FloatingBody* const body = afloat(c.structure.motion);
   if (body == nullptr) return;
   add_legs_warning(c, warnings);
-  add_askew_warning(c, *body, warnings);
-  add_balance_warnings(c, warnings);
+  add_askew_warning(setup, *body, warnings);
+  add_balance_warnings(setup, warnings);
 }
 
-}  // namespace brash::simulation
+}  // namespace brash::advice

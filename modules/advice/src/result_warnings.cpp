@@ -7,10 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "brash/advice/advice.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "case_warnings.hpp"
 
-namespace brash::simulation {
+namespace brash::advice {
+
+using simulation::kFewSamples;
+using simulation::RunSummary;
+
 namespace {
 
 /// A measured mean in another unit is off by a thousand; a model is not off by this much.
@@ -100,19 +105,4 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
   return warnings;
 }
 
-double settled_residual(Vec2 velocity, Vec2 current) {
-  constexpr double kSinking = 8e-5, kShareOfSpeed = 0.03;
-  return std::max(kSinking, kShareOfSpeed * norm(velocity - current));
-}
-
-bool bear_interval(std::span<const model::Warning> warnings) {
-  return std::ranges::none_of(warnings, [](const model::Warning& w) {
-    return w.id == "short-run" || w.id == "no-breaks" || w.id == "no-load";
-  });
-}
-
-bool bears_interval(const RunSummary& summary, const statistics::Summary& load) {
-  return load.effective_sample_size >= kFewSamples && bear_interval(summary.warnings);
-}
-
-}  // namespace brash::simulation
+}  // namespace brash::advice

@@ -12,7 +12,7 @@
 #include "brash/model/case_keys.hpp"
 #include "case_warnings.hpp"
 
-namespace brash::simulation {
+namespace brash::advice {
 namespace {
 
 bool names_a_file(const model::FieldSection& field) {
@@ -125,4 +125,4 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
                                                fmt::join(keys.all(), "; "))});
 }
 
-}  // namespace brash::simulation
+}  // namespace brash::advice

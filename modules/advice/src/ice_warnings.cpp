@@ -19,9 +19,8 @@
 #include "brash/ice/idle_files.hpp"
 #include "brash/model/plausible.hpp"
 #include "case_warnings.hpp"
-#include "edge_contact.hpp"
 
-namespace brash::simulation {
+namespace brash::advice {
 
 bool names_a_basin(std::string source) {
   std::ranges::transform(source, source.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -179,8 +178,9 @@ void add_ice_warnings(const model::Case& c, Warnings& warnings) {
                                       c.ice.density, c.water.density, 100.0 * freeboard)});
 }
 
-void add_idle_file_warnings(const model::Case& c, Warnings& warnings) {
-  const auto files = or_nothing([&] { return ice::idle_files(c.field, ice_properties(c)); });
+void add_idle_file_warnings(const Setup& setup, Warnings& warnings) {
+  const model::Case& c = setup.resolved;
+  const auto files = or_nothing([&] { return ice::idle_files(c.field, setup.ice); });
   for (const ice::IdleFile& file : files) {
     const bool is_line = file.key == "cracks";
     const std::string does_nothing = is_line            ? "parts no ice"
@@ -221,4 +221,4 @@ void add_floe_number_warning(const model::Case& c, Warnings& warnings) {
                                  n, kHaveRun, kBytes * n / 1e9, kSeconds * n)});
 }
 
-}  // namespace brash::simulation
+}  // namespace brash::advice

@@ -8,8 +8,6 @@
 #include <regex>
 
 #include "brash/io/case.hpp"
-#include "brash/simulation/scales.hpp"
-#include "brash/simulation/warnings.hpp"
 
 namespace {
 
@@ -53,15 +51,14 @@ BOOST_AUTO_TEST_CASE(each_row_of_the_table_before_the_run_gives_its_warning) {
   std::filesystem::current_path(kSource);  // files of the settings
   for (const Row& row : rows) {
     const model::Case c = io::read_case(kSource + "/" + row.file, row.settings);
-    BOOST_TEST(has(simulation::derived_scales(c).warnings, row.id), row.id);
+    BOOST_TEST(has(advice::warnings_of(c), row.id), row.id);
   }
 }
 
 BOOST_AUTO_TEST_CASE(each_row_of_the_table_after_the_run_gives_its_warning) {
   const std::vector<Row> rows = rows_under("After the run");
   BOOST_TEST(rows.size() == 5u);
-  for (const Row& row : rows)
-    BOOST_TEST(has(simulation::run(validation(row.settings)).summary.warnings, row.id), row.id);
+  for (const Row& row : rows) BOOST_TEST(has(advice::run(validation(row.settings)).summary.warnings, row.id), row.id);
 }
 
 BOOST_AUTO_TEST_CASE(a_hull_whose_bottom_still_fills_warns) {
@@ -73,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_hull_whose_bottom_still_fills_warns) {
       rows[i].time = static_cast<double>(i + 1);
       rows[i].regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered = i < 30 ? 0.2 : covered;
     }
-    return has(simulation::warnings_of(summary, rows, {}), "filling-hull");
+    return has(advice::warnings_of(summary, rows, {}), "filling-hull");
   };
   BOOST_TEST(warns_where_it_grows_to(0.26));
   BOOST_TEST(!warns_where_it_grows_to(0.24));
@@ -114,7 +111,7 @@ BOOST_AUTO_TEST_CASE(an_angle_without_its_unit_is_warned_of_and_one_that_is_mean
   const auto text = [](const std::string& setting) {
     const model::Case c =
         io::read_case(kSource + "/tests/modules/simulation/askew_barge.toml", {setting, "ice.friction_structure=0"});
-    return text_of(simulation::derived_scales(c).warnings, "bare-angle");
+    return text_of(advice::warnings_of(c), "bare-angle");
   };
   BOOST_TEST(says(text("structure.heading=3"), "3 is in radians, 171.9 degrees: was \"3 deg\" meant?"));
   for (const char* const bare :
@@ -291,7 +288,7 @@ BOOST_AUTO_TEST_CASE(a_track_through_north_is_no_mistake) {
   const auto turns = [](const std::string& first, const std::string& second) {
     const std::string path = "structure.motion.path=[[0,-7,0," + first + "],[20,13,0," + second + "]]";
     const std::string file = kSource + "/tests/modules/simulation/turning_path.toml";
-    return has(simulation::derived_scales(io::read_case(file, {path})).warnings, "path-turns");
+    return has(advice::warnings_of(io::read_case(file, {path})), "path-turns");
   };
   BOOST_TEST(!turns("\"350 deg\"", "\"10 deg\""));
   BOOST_TEST(!turns("0", "3"));
@@ -320,7 +317,7 @@ BOOST_AUTO_TEST_CASE(a_thrust_a_pretension_and_a_heavy_body_break_ice_without_a_
 BOOST_AUTO_TEST_CASE(a_hull_askew_whose_inertia_is_stated_gives_no_warning) {
   const std::string file = kSource + "/tests/modules/simulation/askew_barge.toml";
   const auto is_askew = [&](const std::vector<std::string>& settings) {
-    return has(simulation::derived_scales(io::read_case(file, settings)).warnings, "askew-hull");
+    return has(advice::warnings_of(io::read_case(file, settings)), "askew-hull");
   };
   BOOST_TEST(is_askew({}));
   BOOST_TEST(!is_askew({"structure.heading=0"}));
@@ -333,19 +330,19 @@ BOOST_AUTO_TEST_CASE(the_source_of_a_reference_is_idle_without_its_value_unless_
   model::Case c = validation();
   c.reference.mean_horizontal.reset();
   c.reference.source = "a pier";
-  BOOST_TEST(says(text_of(simulation::derived_scales(c).warnings, "idle-keys"), "reference.source needs "));
+  BOOST_TEST(says(text_of(advice::warnings_of(c), "idle-keys"), "reference.source needs "));
   c.reference.source = "ice of a model basin";
-  BOOST_TEST(text_of(simulation::derived_scales(c).warnings, "idle-keys") == "");
+  BOOST_TEST(text_of(advice::warnings_of(c), "idle-keys") == "");
 }
 
 BOOST_AUTO_TEST_CASE(the_laws_of_generated_floes_are_idle_beside_a_file_of_floes) {
   model::Case c = validation({"field.initial_crack=false"});
   c.field.kind = model::FieldKind::kFloes;
   c.field.file = "floes.wkt";
-  BOOST_TEST(text_of(simulation::derived_scales(c).warnings, "idle-keys") == "");
+  BOOST_TEST(text_of(advice::warnings_of(c), "idle-keys") == "");
   c.field.floes.shape = model::FloeShape::kDiscs;
   c.field.floes.size.median = 3.0;
-  const auto text = text_of(simulation::derived_scales(c).warnings, "idle-keys");
+  const auto text = text_of(advice::warnings_of(c), "idle-keys");
   BOOST_TEST(says(text, "field.shape needs floes without field.file; field.size needs floes"), text);
 }
 

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "brash/advice/advice.hpp"
 #include "brash/io/case.hpp"
-#include "brash/simulation/scales.hpp"
-#include "brash/simulation/warnings.hpp"
 
 namespace brash::test {
 
@@ -28,7 +27,7 @@ inline std::string text_of(const std::vector<model::Warning>& warnings, const st
 }
 
 inline std::vector<model::Warning> warnings_with(const std::vector<std::string>& settings) {
-  return simulation::derived_scales(validation(settings)).warnings;
+  return advice::warnings_of(validation(settings));
 }
 
 inline bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -1,15 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The structure's course through the field, and the part of the run that its statistics cover.
-#include "statistics_window.hpp"
+// Scales of a case, the structure's course through the field, and the part of the run that its statistics cover.
+#include "brash/simulation/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brash/structure/hull.hpp"
-#include "brash/structure/motion.hpp"
+#include "brash/core/constants.hpp"
 #include "edge_contact.hpp"
+#include "initial_crack.hpp"
 
 namespace brash::simulation {
+
+double collision_time(const model::Case& resolved, double mass) {
+  return 0.5 * kPi * std::sqrt((1.0 + resolved.hydrodynamics.added_mass) * mass / resolved.contact.stiffness);
+}
+
+namespace {
+
+/// Of the structure where it meets the ice straight ahead [rad].
+double slope_ahead(const model::Case& c, const structure::Hull& hull, const structure::Motion& motion) {
+  const Freeboard heights = freeboard(c);
+  return structure::foremost(hull, motion.now().pose, heights.bottom, heights.top, motion.course()).surface.slope;
+}
+
+/// Of a contact straight ahead. A front that is vertical, or to which the ice sticks, does not bend the ice, and a
+/// criterion asks for something that does.
+failure::LoadRatios ratios_ahead(double slope, double friction) {
+  constexpr double kHardly = 1e-6;
+  if (slope >= structure::kSteepestSlope) return {.horizontal = 1.0, .mu1 = kHardly, .mu2 = 0.0};
+  failure::LoadRatios ratios = failure::load_ratios(slope, friction, 0.0);
+  ratios.mu1 = std::max(ratios.mu1, kHardly);
+  return ratios;
+}
+
+/// As initial_crack_radius() of a structure with this slope ahead.
+double crack_radius(const model::Case& c, const failure::IceProperties& ice, const failure::BendingCriterion& criterion,
+                    double slope) {
+  const failure::LoadRatios ratios = ratios_ahead(slope, c.ice.friction_structure);
+  return criterion.assess({.contact_length = ice.thickness, .mu1 = ratios.mu1, .mu2 = ratios.mu2}).breaking_length;
+}
+
+DerivedScales scales_of(const model::Case& c, const failure::IceProperties& ice,
+                        const failure::BendingCriterion& criterion, double slope) {
+  DerivedScales scales;
+  scales.characteristic_length = failure::characteristic_length(ice);
+  scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
+  scales.front_slope = slope;
+  scales.mu1 = ratios_ahead(slope, c.ice.friction_structure).mu1;
+  scales.freeboard = freeboard(c).top;
+  scales.draft = -freeboard(c).bottom;
+  const double given = c.field.initial_crack_radius;
+  scales.initial_crack_radius = given > 0.0 ? given : crack_radius(c, ice, criterion, slope);
+  if (ice::varies(c.ice)) scales.correlation_length = ice::correlation_length(c.ice);
+  const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
+  scales.collision_time = collision_time(c, c.ice.density * ice.thickness * piece);
+  return scales;
+}
+
+}  // namespace
+
+double initial_crack_radius(const model::Case& resolved, const failure::IceProperties& ice,
+                            const failure::BendingCriterion& criterion) {
+  if (resolved.field.initial_crack_radius > 0.0) return resolved.field.initial_crack_radius;
+  const auto hull = structure::make_hull(resolved.structure);
+  return crack_radius(resolved, ice, criterion, slope_ahead(resolved, *hull, *structure::make_motion(resolved, *hull)));
+}
+
 namespace {
 
 Course straight_course(const model::Case& c, const structure::Hull& hull) {
@@ -57,13 +113,12 @@ Course course_on_path(const model::Case& c, const structure::Hull& hull) {
   return course;
 }
 
-}  // namespace
-
-Course course_of(const model::Case& c) {
-  const auto hull = structure::make_hull(c.structure);
+Course course_of(const model::Case& c, const structure::Hull& hull) {
   const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
-  return towed != nullptr && !towed->path.empty() ? course_on_path(c, *hull) : straight_course(c, *hull);
+  return towed != nullptr && !towed->path.empty() ? course_on_path(c, hull) : straight_course(c, hull);
 }
+
+}  // namespace
 
 bool goes_as_told(const model::Motion& motion) {
   return std::holds_alternative<model::Towed>(motion) || std::holds_alternative<model::Compliant>(motion);
@@ -100,9 +155,7 @@ bool leaves_ice(const model::Case& c, const Course& course) {
          course.leaves < c.time.duration;
 }
 
-}  // namespace
-
-StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius) {
+StatisticsWindow window_of(const model::Case& resolved, double initial_crack_radius, const Course& course) {
   const double x = place_of_begin(resolved, initial_crack_radius);
   StatisticsWindow window{.from = resolved.output.statistics_from.value_or(time_at(resolved, x)),
                           .until = whole_steps(resolved, std::round(resolved.time.duration / resolved.time.step)),
@@ -110,11 +163,26 @@ StatisticsWindow statistics_window(const model::Case& resolved, double initial_c
                           .ends = "the run is over"};
   if (x > 0.0) window.begins = "the structure's axis has passed the last floe of the initial crack";
   if (resolved.output.statistics_from) window.begins = "output.statistics_from says so";
-  const Course course = course_of(resolved);
   if (!leaves_ice(resolved, course) || course.leaves <= window.from) return window;
   window.until = whole_steps(resolved, std::floor(course.leaves / resolved.time.step));
   window.ends = "the structure's bow leaves the ice at the far side";
   return window;
 }
+
+}  // namespace
+
+StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius) {
+  return window_of(resolved, initial_crack_radius, course_of(resolved, *structure::make_hull(resolved.structure)));
+}
+
+Setup::Setup(const model::Case& of)
+    : resolved(of),
+      ice(ice_properties(resolved)),
+      criterion(make_criterion(resolved, ice)),
+      hull(structure::make_hull(resolved.structure)),
+      motion(structure::make_motion(resolved, *hull)),
+      scales(scales_of(resolved, ice, *criterion, slope_ahead(resolved, *hull, *motion))),
+      course(course_of(resolved, *hull)),
+      window(window_of(resolved, scales.initial_crack_radius, course)) {}
 
 }  // namespace brash::simulation

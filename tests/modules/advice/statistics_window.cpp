@@ -19,7 +19,7 @@ using namespace brash::test;
 simulation::StatisticsWindow window_with(std::vector<std::string> settings) {
   settings.push_back("algorithm.preset=brash");
   const model::Case c = validation(settings);
-  return simulation::statistics_window(c, simulation::derived_scales(c).initial_crack_radius);
+  return simulation::Setup(c).window;
 }
 
 BOOST_AUTO_TEST_CASE(statistics_begin_behind_the_initial_crack) {
