@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # find_package(brash): the targets brash::geometry and brash::failure with the rooms that they are made of.
-# find_package(brash COMPONENTS geometry): the polygon kernel alone, which needs neither GSL nor Eigen.
+# find_package(brash COMPONENTS geometry): the polygon kernel alone, which does not need Eigen.
 include(CMakeFindDependencyMacro)
 if(NOT "${brash_FIND_COMPONENTS}" STREQUAL "geometry")
   find_dependency(Eigen3 NO_MODULE)  # CGAL brings a module of that name without the target
-  find_dependency(GSL)
 endif()
 foreach(dependency CGAL tl-expected fmt nlohmann_json PkgConfig Threads)
   find_dependency(${dependency})

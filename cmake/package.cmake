@@ -58,6 +58,6 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "\
 Headers, static libraries and the CMake package of the rooms that know
 nothing of cases and runs: the exact polygon kernel and the failure model.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libcgal-dev, libeigen3-dev, libexpected-dev, libfmt-dev, libgsl-dev, nettle-dev, nlohmann-json3-dev")
+  "libcgal-dev, libeigen3-dev, libexpected-dev, libfmt-dev, nettle-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS brash)
 include(CPack)

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "brash/advice/advice.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
-#include "brash/simulation/scales.hpp"
 #include "brash/simulation/simulation.hpp"
 
 namespace {
@@ -153,7 +153,9 @@ void try_case(const std::vector<std::string>& overrides, Depth depth, Answers& a
   ++answers.n_cases;
   try {
     const brash::model::Case resolved = brash::io::parse_case(kBase, "hostile.toml", overrides);
-    const brash::simulation::DerivedScales scales = brash::simulation::derived_scales(resolved);
+    const brash::simulation::Setup setup(resolved);
+    const brash::simulation::DerivedScales& scales = setup.scales;
+    static_cast<void>(brash::advice::warnings_of(setup));
     if (!std::isfinite(scales.characteristic_length) || !std::isfinite(scales.collision_time))
       add_finding(answers, overrides, "a derived scale is not finite");
     ++answers.n_accepted;

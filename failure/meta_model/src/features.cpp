@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "features.hpp"
+#include "brash/meta_model/features.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +27,14 @@ std::array<Lane, kInputs> features_of(const std::array<Lane, kInputs>& x) {
           reflected(b, width_ratio.log(), 0.0), Lane(mu1.log()), Lane(mu2.square())};
 }
 
-std::array<double, kInputs> features_of(const Input& input) {
+std::array<Lane, kInputs> lanes_of(const Input& input) {
   std::array<Lane, kInputs> lanes;
   const auto x = to_array(input);
   for (int i = 0; i < kInputs; ++i) lanes[i] = Lane::Constant(x[i]);
-  const auto values = features_of(lanes);
-  std::array<double, kInputs> result{};
-  for (int i = 0; i < kInputs; ++i) result[i] = values[i][0];
-  return result;
+  return lanes;
 }
+
+std::array<double, kInputs> features_of(const Input& input) { return first_of(features_of(lanes_of(input))); }
 
 bool has_features(const Input& x) {
   return std::isfinite(x.b_lc) && x.c_lc > 0.0 && x.theta >= 0.0 && x.theta < kPi && x.mu1 > 0.0 &&

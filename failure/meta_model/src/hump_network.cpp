@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/meta_model/hump_network.hpp"
 
-#include "hump_features.hpp"
+#include "lane.hpp"
 
 namespace brash::meta_model {
 namespace {
@@ -46,6 +46,10 @@ HumpLanes hump_features_of(const std::array<Lane, kInputs>& input) {
   std::copy(shared.begin(), shared.end(), x.begin());
   x.back() = (1.0 + 2.0 * input[0] / input[1]).log();
   return x;
+}
+
+std::array<double, kHumpFeatures> hump_features_of(const Input& input) {
+  return first_of(hump_features_of(lanes_of(input)));
 }
 
 std::size_t n_weights(int n_inputs, const std::vector<int>& hidden) {

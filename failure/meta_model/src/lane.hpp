@@ -7,7 +7,7 @@
 #include <span>
 
 #include "brash/core/contract.hpp"
-#include "features.hpp"
+#include "brash/meta_model/features.hpp"
 
 namespace brash::meta_model {
 
@@ -17,6 +17,20 @@ using Lane = Eigen::Array<double, kLane, 1>;
 
 /// The features of network.hpp, in its order, not yet normalised.
 std::array<Lane, kInputs> features_of(const std::array<Lane, kInputs>& input);
+
+/// The same of hump_network.hpp.
+using HumpLanes = std::array<Lane, kHumpFeatures>;
+HumpLanes hump_features_of(const std::array<Lane, kInputs>& input);
+
+/// `input` in every row of a lane.
+std::array<Lane, kInputs> lanes_of(const Input& input);
+/// The first row.
+template <std::size_t N>
+std::array<double, N> first_of(const std::array<Lane, N>& lanes) {
+  std::array<double, N> row{};
+  for (std::size_t i = 0; i < N; ++i) row[i] = lanes[i][0];
+  return row;
+}
 
 /// The logistic sigmoid.
 inline Lane sigmoid(const Lane& a) { return 1.0 / (1.0 + (-a).exp()); }

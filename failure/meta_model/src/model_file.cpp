@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "brash/core/constants.hpp"
+#include "brash/meta_model/features.hpp"
 #include "brash/meta_model/network.hpp"
-#include "hump_features.hpp"
 #include "json_file.hpp"
 
 namespace brash::meta_model {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "brash/core/contract.hpp"
-#include "features.hpp"
+#include "brash/meta_model/features.hpp"
 #include "lane.hpp"
 
 namespace brash::meta_model {

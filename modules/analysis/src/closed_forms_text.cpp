@@ -60,9 +60,11 @@ std::vector<UsedInput> used_inputs(const ordered_json& loads) {
     const auto formula = load["formula"].get<std::string>();
     for (const auto& [name, number] : load["inputs"].items()) {
       const std::string value = quantity_text(number.get<double>(), unit_of(name));
-      auto at = std::ranges::find_if(used, [&](const UsedInput& u) { return u.name == name && u.value == value; });
+      auto at = std::ranges::find_if(
+          used, [&, &name = name](const UsedInput& u) { return u.name == name && u.value == value; });
       if (at == used.end()) {
-        const auto last = std::find_if(used.rbegin(), used.rend(), [&](const UsedInput& u) { return u.name == name; });
+        const auto last =
+            std::find_if(used.rbegin(), used.rend(), [&name = name](const UsedInput& u) { return u.name == name; });
         at = used.insert(last == used.rend() ? used.end() : last.base(), {name, value, {}});
       }
       if (std::ranges::find(at->formulas, formula) == at->formulas.end()) at->formulas.push_back(formula);

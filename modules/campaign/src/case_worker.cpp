@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "brash/advice/advice.hpp"
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/folder_lock.hpp"
@@ -71,7 +72,7 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   const std::string checkpoint = partial + "/checkpoint.nc";
   const simulation::CheckpointStore store = recording::checkpoint_file(checkpoint, true, inputs);
   remove_if_unfit(store);
-  const simulation::Run run = simulation::run(
+  const simulation::Run run = advice::run(
       inputs.resolved,
       {.begun = [&] { recording::expect_unchanged(inputs); }, .checkpoint = store, .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;

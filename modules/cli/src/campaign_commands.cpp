@@ -21,13 +21,13 @@
 #include <set>
 #include <thread>
 
+#include "brash/advice/advice.hpp"
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/report/report.hpp"
-#include "brash/simulation/scales.hpp"
 #include "campaign_table.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
@@ -199,7 +199,7 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
 /// The warnings about a case; none about one of which nothing can be derived: it reports why when it runs.
 std::vector<model::Warning> warnings_about(const model::Case& resolved) {
   try {
-    return simulation::derived_scales(resolved).warnings;
+    return advice::warnings_of(resolved);
   } catch (const std::exception&) {
     return {};
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "brash/advice/advice.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/io/campaign_plan.hpp"
@@ -19,7 +20,7 @@
 #include "brash/report/case_picture.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/run.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
@@ -59,8 +60,7 @@ void add_scales(const model::Case& resolved, const simulation::DerivedScales& sc
 }
 
 /// How long the run is, and the part of it that its statistics cover.
-void add_times(const model::Case& resolved, const simulation::DerivedScales& scales, Rows& rows) {
-  const simulation::StatisticsWindow window = simulation::statistics_window(resolved, scales.initial_crack_radius);
+void add_times(const model::Case& resolved, const simulation::StatisticsWindow& window, Rows& rows) {
   rows.add("simulated time", "{:.6g} s in {} steps", resolved.time.duration,
            std::llround(resolved.time.duration / resolved.time.step));
   if (window.from >= resolved.time.duration)
@@ -138,11 +138,11 @@ void check_case(const CheckOptions& options) {
   model::Case resolved = io::read_case(options.case_file, options.overrides);
   for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(options.picture, {*file});
   check_picture_name(options.picture);
-  const simulation::DerivedScales scales = simulation::derived_scales(resolved);
+  const simulation::Setup setup(resolved);
   const simulation::InitialField field = simulation::initial_field(resolved);
   Rows rows;
-  add_scales(resolved, scales, rows);
-  add_times(resolved, scales, rows);
+  add_scales(resolved, setup.scales, rows);
+  add_times(resolved, setup.window, rows);
   add_field(resolved, field, rows);
   add_hull(resolved, rows);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) add_mesh(*mesh, rows);
@@ -151,7 +151,7 @@ void check_case(const CheckOptions& options) {
   rows.print(before);
   if (!options.picture.empty())
     write_picture(options.picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
-  print_warnings(scales.warnings);
+  print_warnings(advice::warnings_of(setup));
   if (options.keys) print_keys(resolved, options);
 }
 

@@ -16,9 +16,9 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/database/database.hpp"
-#include "brash/database/edge_database.hpp"
 #include "brash/io/file_names.hpp"
+#include "brash/training/database.hpp"
+#include "brash/training/edge_database.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "requests_to_end.hpp"
@@ -43,8 +43,8 @@ struct DatabaseOptions {
 template <typename Plan>
 std::vector<campaign::Job> missing_jobs(const Plan& plan, const DatabaseOptions& options) {
   std::vector<campaign::Job> jobs;
-  for (const int first : database::missing_chunks(plan, options.output)) {
-    const std::string file = database::chunk_file(options.output, first);
+  for (const int first : training::missing_chunks(plan, options.output)) {
+    const std::string file = training::chunk_file(options.output, first);
     jobs.push_back({.command = {campaign::this_program(), "failure", "database", options.plan, "-o", options.output,
                                 "--chunk", std::to_string(first)},
                     .messages = part_of(file + ".messages"),
@@ -71,7 +71,7 @@ template <typename Plan>
 void build_here(const Plan& plan, const std::string& output) {
   catch_requests_to_end();
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
-  const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
+  const training::Progress progress = training::build(plan, output, [terminal](const training::Progress& now) {
     if (terminal) show(fmt::format("\r{} of {} geometries, {} not solved", now.done, now.total, now.failed));
     return !is_asked_to_end();
   });
@@ -128,7 +128,7 @@ void compute_plan(const Plan& plan, DatabaseOptions options) {
   io::refuse_missing_folder(options.output);
   refuse_overwriting(options.output, {options.plan});
   io::refuse_replacing_results(options.output);
-  if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
+  if (options.chunk >= 0) return training::solve_chunk(plan, options.output, options.chunk);
   const ChunkFolder folder(options.output + ".chunks");
   if (options.on == "slurm") {
     // The tasks run in folders of their own choice.
@@ -143,10 +143,10 @@ void compute_plan(const Plan& plan, DatabaseOptions options) {
 }
 
 void compute_database(const DatabaseOptions& options) {
-  if (database::is_edge_plan(options.plan))
-    compute_plan(database::read_edge_plan(options.plan), options);
+  if (training::is_edge_plan(options.plan))
+    compute_plan(training::read_edge_plan(options.plan), options);
   else
-    compute_plan(database::read_plan(options.plan), options);
+    compute_plan(training::read_plan(options.plan), options);
 }
 
 }  // namespace

@@ -101,27 +101,6 @@ std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& nam
 
 }  // namespace
 
-meta_model::ProfileSample to_profile_sample(const database::Record& record) {
-  const plate::UnitProfiles& unit = record.profiles;
-  const plate::WedgePlate& g = record.plate;
-  meta_model::ProfileSample sample{{g.depth, g.contact_length, g.angle, g.thickness}, {}};
-  meta_model::Profiles& p = sample.profiles;
-  p.station = unit.station;
-  p.buckling_load = unit.in_plane.buckling_load;
-  for (std::size_t i = 0; i < unit.station.size(); ++i) {
-    p.bending_xx.push_back(unit.bending[i].xx);
-    p.bending_yy.push_back(unit.bending[i].yy);
-    p.normal_xx.push_back(unit.normal[i].xx);
-    p.normal_yy.push_back(unit.normal[i].yy);
-    p.tangential_xy.push_back(unit.tangential[i].xy);
-    p.first_xx.push_back(unit.in_plane.first[i].xx);
-    p.first_yy.push_back(unit.in_plane.first[i].yy);
-    p.rest_xx.push_back(unit.in_plane.rest[i].xx);
-    p.rest_yy.push_back(unit.in_plane.rest[i].yy);
-  }
-  return sample;
-}
-
 std::vector<PredictedRow> read_predicted_rows(const std::string& path, std::string& header) {
   if (path.empty()) return read_rows(std::cin, "standard input", header);
   std::istringstream file(read_characters(path, "rows of inputs (CSV)", 64));

@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "brash/advice/advice.hpp"
 #include "brash/analysis/closed_forms.hpp"
 #include "brash/analysis/tables.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/origin.hpp"
-#include "brash/simulation/scales.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
 #include "table.hpp"
@@ -36,7 +36,7 @@ void add_loads_command(CLI::App& app) {
     const model::Case resolved = io::read_case(options->case_file, options->overrides);
     ordered_json loads = analysis::closed_form_loads(resolved);
     analysis::add_origin(io::origin_of(resolved), loads);
-    const std::vector<model::Warning> warnings = simulation::derived_scales(resolved).warnings;
+    const std::vector<model::Warning> warnings = advice::warnings_of(resolved);
     loads["warnings"] = ordered_json::array();
     for (const model::Warning& warning : warnings)
       loads["warnings"].push_back({{"id", warning.id}, {"text", warning.text}});

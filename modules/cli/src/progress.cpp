@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "brash/advice/advice.hpp"
 #include "messages.hpp"
 #include "requests_to_end.hpp"
 
@@ -55,7 +56,7 @@ simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOp
   options.interrupted = [interrupted = std::move(options.interrupted)] {
     return is_asked_to_end() || (interrupted && interrupted());
   };
-  return simulation::run(resolved, options);
+  return advice::run(resolved, options);
 }
 
 }  // namespace brash::cli

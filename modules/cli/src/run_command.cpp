@@ -8,13 +8,13 @@
 #include <memory>
 #include <optional>
 
+#include "brash/advice/advice.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/workers.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/recording/run_folder.hpp"
 #include "brash/report/report.hpp"
-#include "brash/simulation/scales.hpp"
 #include "commands.hpp"
 #include "live_view.hpp"
 #include "messages.hpp"
@@ -50,7 +50,7 @@ void run_case(const RunOptions& options) {
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const recording::Inputs inputs = recording::read_inputs(options.case_file, overrides);
   const model::Case& resolved = inputs.resolved;
-  print_warnings(simulation::derived_scales(resolved).warnings);
+  print_warnings(advice::warnings_of(resolved));
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = recording::open_run_folder(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";

@@ -9,12 +9,12 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "brash/advice/advice.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/new_case.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
-#include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
@@ -93,7 +93,8 @@ py::object value_of(const Case& c, const std::string& name) {
 }
 
 py::dict derived(const Case& c) {
-  const simulation::DerivedScales s = simulation::derived_scales(c.resolved);
+  const simulation::Setup setup(c.resolved);
+  const simulation::DerivedScales& s = setup.scales;
   py::dict out;
   out["characteristic_length"] = s.characteristic_length;
   out["thickness_over_lc"] = s.thickness_over_lc;
@@ -104,7 +105,7 @@ py::dict derived(const Case& c) {
   out["collision_time"] = s.collision_time;
   out["initial_crack_radius"] = s.initial_crack_radius;
   py::list warnings;
-  for (const model::Warning& warning : s.warnings) warnings.append(warning.text);
+  for (const model::Warning& warning : advice::warnings_of(setup)) warnings.append(warning.text);
   out["warnings"] = warnings;
   return out;
 }

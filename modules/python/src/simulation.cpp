@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "brash/advice/advice.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
@@ -227,7 +228,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
       goes_on = resume && std::filesystem::exists(checkpoint);
       if (!goes_on && !replace) recording::refuse_replacing(directory, ", or take replace=True");
     }
-    finished = simulation::run(c.resolved, options);
+    finished = advice::run(c.resolved, options);
     if (finished.complete && results) report::write_results(*results, inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();

@@ -14,7 +14,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/interruption.hpp"
 #include "brash/simulation/initial_floes.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "plan.hpp"
 #include "stage_timer.hpp"
@@ -368,13 +368,9 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {
-    DerivedScales scales = derived_scales(resolved);
-    progress.counts.summary.window = statistics_window(resolved, scales.initial_crack_radius);
+    progress.counts.summary.window = Setup(resolved).window;
     finished.summary = summarise(resolved, finished.results, water, progress.counts.summary);
-    finished.summary.warnings = std::move(scales.warnings);
-    std::ranges::copy(progress.earlier_warnings, std::back_inserter(finished.summary.warnings));
-    std::ranges::move(warnings_of(finished.summary, finished.results.loads, resolved.reference),
-                      std::back_inserter(finished.summary.warnings));
+    finished.summary.warnings = std::move(progress.earlier_warnings);
   }
   finished.stage_times = progress.simulation.stage_times();
   finished.stage_times.recording = progress.recording_seconds;

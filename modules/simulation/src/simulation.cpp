@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "brash/simulation/scales.hpp"
 #include "laid_floes.hpp"
 #include "stages.hpp"
 
@@ -83,7 +82,6 @@ std::vector<geometry::Polygon> Simulation::sheet() const { return outlines_in_wo
 std::vector<SheetMotion> Simulation::sheet_motions() const { return impl_->state.sheets.motions(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->state.field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
-std::vector<model::Warning> Simulation::warnings() const { return derived_scales(impl_->laws.resolved).warnings; }
 
 std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
   std::vector<std::pair<std::int64_t, double>> stresses;

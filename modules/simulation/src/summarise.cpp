@@ -285,6 +285,21 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   return s;
 }
 
+double settled_residual(Vec2 velocity, Vec2 current) {
+  constexpr double kSinking = 8e-5, kShareOfSpeed = 0.03;
+  return std::max(kSinking, kShareOfSpeed * norm(velocity - current));
+}
+
+bool bear_interval(std::span<const model::Warning> warnings) {
+  return std::ranges::none_of(warnings, [](const model::Warning& w) {
+    return w.id == "short-run" || w.id == "no-breaks" || w.id == "no-load";
+  });
+}
+
+bool bears_interval(const RunSummary& summary, const statistics::Summary& load) {
+  return load.effective_sample_size >= kFewSamples && bear_interval(summary.warnings);
+}
+
 std::string to_json(const RunSummary& s) {
   nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
   for (const model::Warning& warning : s.warnings) warnings.push_back({{"id", warning.id}, {"text", warning.text}});

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "brash/advice/advice.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/case.hpp"
-#include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
 
 namespace brash::simulator {
@@ -79,7 +79,8 @@ std::string Session::advance(int n_steps) {
 }
 
 std::string description(const model::Case& resolved) {
-  const simulation::DerivedScales scales = simulation::derived_scales(resolved);
+  const simulation::Setup setup(resolved);
+  const simulation::DerivedScales& scales = setup.scales;
   ordered_json derived = ordered_json::array(), warnings = ordered_json::array();
   const auto add = [&](const char* name, double value, const char* unit) {
     derived.push_back({{"name", name}, {"value", value}, {"unit", unit}});
@@ -93,7 +94,7 @@ std::string description(const model::Case& resolved) {
   if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
     add("initial crack radius", scales.initial_crack_radius, "m");
   if (scales.correlation_length > 0.0) add("correlation length of the ice", scales.correlation_length, "m");
-  for (const model::Warning& warning : scales.warnings)
+  for (const model::Warning& warning : advice::warnings_of(setup))
     warnings.push_back({{"id", warning.id}, {"text", warning.text}});
   return ordered_json{{"toml", io::to_toml(resolved)}, {"derived", derived}, {"warnings", warnings}}.dump();
 }

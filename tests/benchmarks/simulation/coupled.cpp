@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "brash/io/case.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/structure/hull.hpp"
 #include "bullet_world.hpp"
@@ -54,7 +54,7 @@ Times run(const model::Case& c, double seconds) {
     return Pose{{-c.structure.start_distance + step * dt * speed, 0.0, 0.0}, {}};
   };
   bullet.add_structure(structure::make_hull(c.structure.shape)->parts().front(), structure_at(0));
-  const simulation::DerivedScales slab = simulation::derived_scales(c);
+  const simulation::DerivedScales slab = simulation::Setup(c).scales;
   Times times;
   const int n_steps = static_cast<int>(std::lround(seconds / dt));
   std::vector<geometry::Polygon> sheet;

@@ -28,7 +28,7 @@ void Table::print() const {
   fmt::print("statistic,process,warned,held,truth_below,truth_above,n\n");
   for (const auto& [key, tally] : tallies_) {
     const auto& [statistic, process, warned] = key;
-    const auto share = [&](int count) { return static_cast<double>(count) / tally.n; };
+    const auto share = [&tally = tally](int count) { return static_cast<double>(count) / tally.n; };
     fmt::print("{},{},{},{:.3f},{:.3f},{:.3f},{}\n", statistic, process, warned == Warned::kYes ? "yes" : "no",
                share(tally.n - tally.below - tally.above), share(tally.below), share(tally.above), tally.n);
   }

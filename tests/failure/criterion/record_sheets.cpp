@@ -68,7 +68,7 @@ class Reservoir {
       for (const auto& [name, of] : strata_) {
         if (round >= of.kept.size() || result.size() == n) continue;
         const Solved& next = of.kept[round];
-        const auto is_near = [&](const Solved& other) {
+        const auto is_near = [&, &name = name](const Solved& other) {
           return other.sheet.name == name && std::abs(other.time - next.time) < kApart;
         };
         if (std::ranges::none_of(result, is_near)) result.push_back(next);

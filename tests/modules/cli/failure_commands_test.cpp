@@ -16,7 +16,6 @@
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_responses.hpp"
 #include "brash/failure/response_model.hpp"
-#include "profile_card.hpp"
 
 namespace brash::cli {
 namespace {
@@ -328,13 +327,6 @@ BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {
   for (const auto& row : errors) BOOST_TEST(row.size() == 11u);
   const std::string rows = folder.write("rows.csv", kRow);
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
-}
-
-BOOST_AUTO_TEST_CASE(quantiles_of_errors_lie_between_the_rows) {
-  const plate::WedgePlate plate;
-  const std::vector<JudgedRow> rows{{.plate = &plate, .sigma_over_p = 1.0, .stress_error = 0.02},
-                                    {.plate = &plate, .sigma_over_p = 1.0, .stress_error = 0.01}};
-  BOOST_TEST(summary(rows).find("stress error median 1.50 %, 95 % 1.95 %") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_superposition_can_be_judged_on_another_database) {

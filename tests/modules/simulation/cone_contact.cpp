@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "brash/failure/criterion.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/structure/hull.hpp"
 #include "floating_floe.hpp"
@@ -200,8 +200,10 @@ BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_plane_and_a_wedge_by_the_pressure
 
 BOOST_AUTO_TEST_CASE(a_front_that_is_all_but_vertical_has_scales_whatever_its_friction) {
   // Friction turns the vertical force of such a front round, and no failure model takes that.
-  const simulation::DerivedScales scales = simulation::derived_scales(
-      ice_and_water({"structure.angle=89.7 deg", "ice.friction_structure=0.1", "field.initial_crack=false"}));
+  const simulation::DerivedScales scales =
+      simulation::Setup(
+          ice_and_water({"structure.angle=89.7 deg", "ice.friction_structure=0.1", "field.initial_crack=false"}))
+          .scales;
   BOOST_TEST(scales.front_slope == radians(89.7), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(scales.mu1 > 0.0);
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "borders.hpp"
+#include "brash/advice/advice.hpp"
 #include "brash/core/error.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/run.hpp"
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(the_concentration_of_a_field_with_land_is_of_its_water) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_through_a_field_closes_its_ledger_and_its_energies) {
-  const Run run = simulation::run(field_case({"field.border=walls", "wind.velocity=[10, 5]"}));
+  const Run run = advice::run(field_case({"field.border=walls", "wind.velocity=[10, 5]"}));
   BOOST_TEST(run.complete);
   const RunSummary& s = run.summary;
   BOOST_TEST(s.ledger.closes());

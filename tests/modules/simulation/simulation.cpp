@@ -14,7 +14,7 @@
 #include "brash/io/checkpoint.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "edge_contact.hpp"
 
 namespace {
@@ -417,7 +417,7 @@ BOOST_AUTO_TEST_CASE(without_anything_near_the_floes_of_the_initial_crack_stay_w
 }
 
 BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
-  const simulation::DerivedScales scales = simulation::derived_scales(short_case());
+  const simulation::DerivedScales scales = simulation::Setup(short_case()).scales;
   BOOST_TEST(scales.characteristic_length == 3.27, boost::test_tools::tolerance(2e-3));  // three digits
   BOOST_TEST(scales.mu1 == 0.511, boost::test_tools::tolerance(1e-3));                   // three digits
   BOOST_TEST(scales.draft == 0.33 * 900.0 / 1025.0, boost::test_tools::tolerance(1e-14));

@@ -96,7 +96,7 @@ struct RunSummary {
   std::optional<InitialFloes> initial_floes;  ///< absent: the ice is level
   geometry::Ledger ledger;
   EnergyBalance energy;
-  std::vector<model::Warning> warnings;  ///< of the case, then of the result: warnings.hpp
+  std::vector<model::Warning> warnings;  ///< that a checkpoint brought; advice::run adds its own
 };
 
 /// A finished run: results as written, their summary, and where the wall time went.

@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "brash/model/case.hpp"
-#include "brash/model/warning.hpp"
-
-namespace brash::failure {
-class BendingCriterion;
-}
 
 namespace brash::simulation {
 
-/// Lengths and times that follow from a case, and warnings about the case.
+/// Lengths and times that follow from a case: Setup::scales.
 struct DerivedScales {
-  double characteristic_length = 0.0;    ///< l_c, Eq. 18 [m]
-  double thickness_over_lc = 0.0;        ///< h / l_c [-]
-  double front_slope = 0.0;              ///< of the structure straight ahead, from the horizontal [rad]
-  double mu1 = 0.0;                      ///< P / N of a contact straight ahead [-]
-  double freeboard = 0.0;                ///< [m]
-  double draft = 0.0;                    ///< [m]
-  double initial_crack_radius = 0.0;     ///< of Fig. 5 [m]
-  double correlation_length = 0.0;       ///< of ice that varies; 0: it is even [m]
-  double collision_time = 0.0;           ///< T_col of a piece of l_c^2 / 4, Eqs. 11, 12 [s]
-  std::vector<model::Warning> warnings;  ///< docs/reference/warnings.md
+  double characteristic_length = 0.0;  ///< l_c, Eq. 18 [m]
+  double thickness_over_lc = 0.0;      ///< h / l_c [-]
+  double front_slope = 0.0;            ///< of the structure straight ahead, from the horizontal [rad]
+  double mu1 = 0.0;                    ///< P / N of a contact straight ahead [-]
+  double freeboard = 0.0;              ///< [m]
+  double draft = 0.0;                  ///< [m]
+  double initial_crack_radius = 0.0;   ///< of Fig. 5 [m]
+  double correlation_length = 0.0;     ///< of ice that varies; 0: it is even [m]
+  double collision_time = 0.0;         ///< T_col of a piece of l_c^2 / 4, Eqs. 11, 12 [s]
 };
-
-/// @throws InputError when the failure model cannot be read.
-DerivedScales derived_scales(const model::Case& resolved);
-
-/// The same with the criterion of the case, made already.
-DerivedScales derived_scales(const model::Case& resolved, const failure::BendingCriterion& criterion);
 
 /// T_col = (pi/2) sqrt((1 + alpha) m / K) of a floe of `mass` [kg], Eqs. 11, 12 [s].
 double collision_time(const model::Case& resolved, double mass);

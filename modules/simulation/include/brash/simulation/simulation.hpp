@@ -161,8 +161,6 @@ class Simulation {
   /// Largest mean compression so far of each floe present, by its id [Pa].
   std::vector<std::pair<std::int64_t, double>> peak_stresses() const;
   const StageTimes& stage_times() const;
-  /// Warnings about the case, derived_scales().warnings.
-  std::vector<model::Warning> warnings() const;
 
  private:
   struct Impl;

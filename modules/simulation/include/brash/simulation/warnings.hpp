@@ -14,13 +14,6 @@ namespace brash::simulation {
 /// A mean of fewer independent samples than this gets no interval: its estimate of the deviation is itself a guess.
 inline constexpr double kFewSamples = 10.0;
 
-/// Warnings about a result: no load or no break at all, too few independent samples of the load, a mean of another
-/// order of magnitude than the reference, or contacts that are not settled. derived_scales() has the warnings about the
-/// case. RunSummary::warnings has both. docs/reference/warnings.md
-/// @param loads  of all steps of the run.
-std::vector<model::Warning> warnings_of(const RunSummary& summary, std::span<const model::LoadRow> loads,
-                                        const model::ReferenceSection& reference);
-
 /// Residual of a step above which its contacts are not settled [m/s]: the larger of two. At 8e-5 m/s a floe sinks into
 /// its neighbour by 5 mm a minute. At 3 % of the speed of structure and water against each other, a contact shifts by 3
 /// % of the distance that the ice moves, and mean loads may be some 5 % too low.
