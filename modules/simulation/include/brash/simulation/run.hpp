@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -101,7 +102,8 @@ struct RunSummary {
 
 /// A finished run: results as written, their summary, and where the wall time went.
 struct Run {
-  model::RunResults results;
+  model::RunResults results;           ///< without the loads, frames and cracked sheets of `earlier`
+  std::vector<std::string> earlier{};  ///< files with these, as of CheckpointStore::earlier, oldest first
   RunSummary summary;
   StageTimes stage_times;
   double wall_seconds = 0.0;
@@ -116,6 +118,12 @@ struct CheckpointStore {
   std::string name{};                                          ///< in messages: a file
   std::function<void(const model::Checkpoint&)> keep{};        ///< replaces the state kept before
   std::function<std::optional<model::Checkpoint>()> newest{};  ///< to continue from; nothing: start at 0 s
+  /// Writes loads, frames and cracked sheets to a file, beside the state: the results of a long run would fill the
+  /// memory. Without it they stay in memory.
+  std::function<void(const model::RunResults&)> keep_earlier{};
+  /// These files, oldest first.
+  std::function<std::vector<std::string>()> earlier{};
+  std::function<model::RunResults(const std::string& file)> read_earlier{};
 };
 
 /// Adds a warning to a state. A run that continues from there has the warning too, and so have its own states.
@@ -133,6 +141,8 @@ struct RunOptions {
   std::function<bool()> interrupted{};
   /// Threads that share out the loops over floes and contacts, >= 1. Results do not depend on their number.
   int threads = 1;
+  /// Loads, frames and cracked sheets that are in memory before they go to a file, where there is a store for them.
+  std::size_t most_bytes_in_memory = std::size_t{32} << 20;
 };
 
 /// Runs `resolved` to its end, or to where it is interrupted.
