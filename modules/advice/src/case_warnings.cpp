@@ -376,7 +376,7 @@ simulation::Run run(const model::Case& resolved, const simulation::RunOptions& o
   if (!run.complete) return run;
   Warnings warnings = warnings_of(resolved);
   std::ranges::move(run.summary.warnings, std::back_inserter(warnings));
-  std::ranges::move(warnings_of(run.summary, run.results.loads, resolved.reference), std::back_inserter(warnings));
+  std::ranges::move(warnings_of(run.summary, run.loads_seen, resolved.reference), std::back_inserter(warnings));
   run.summary.warnings = std::move(warnings);
   return run;
 }

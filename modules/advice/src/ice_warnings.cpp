@@ -205,7 +205,8 @@ void add_left_out_warnings(const model::Case& c, Warnings& warnings) {
   for (const auto& [key, path] : files) {
     if (path.empty()) continue;
     const bool of_lines = &path == &field.cracks;
-    const std::string left_out = or_nothing([&, &path = path] { return ice::left_out_of(path, field.origin, of_lines); });
+    const std::string left_out =
+        or_nothing([&, &path = path] { return ice::left_out_of(path, field.origin, of_lines); });
     if (!left_out.empty()) warnings.push_back({"left-out", fmt::format("field.{}: left out: {}", key, left_out)});
   }
 }

@@ -14,6 +14,7 @@
 namespace brash::advice {
 
 using simulation::kFewSamples;
+using simulation::LoadsSeen;
 using simulation::RunSummary;
 
 namespace {
@@ -45,31 +46,15 @@ void add_unsettled_warning(const RunSummary& s, std::size_t n_steps, Warnings& w
 }
 
 /// A ship's resistance is steady when the ice under its bottom is.
-void add_coverage_warning(const RunSummary& s, std::span<const model::LoadRow> loads, Warnings& warnings) {
+void add_coverage_warning(const LoadsSeen& loads, Warnings& warnings) {
   constexpr double kSteady = 0.05;  // of the bottom
-  const double middle = 0.5 * (s.window.from + s.window.until);
-  double sums[2] = {}, rows[2] = {};
-  for (const model::LoadRow& row : loads) {
-    if (row.time <= s.window.from || row.time > s.window.until) continue;
-    const int half = row.time <= middle ? 0 : 1;
-    sums[half] += row.regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered;
-    rows[half] += 1.0;
-  }
-  const double first = sums[0] / rows[0], second = sums[1] / rows[1];
+  const auto [first, second] = loads.covered();
   if (!(second - first > kSteady)) return;
   warnings.push_back(
       {"filling-hull", fmt::format("floes cover {:.0f} % of the hull's bottom in the first half of the statistics and "
                                    "{:.0f} % in the second: the resistance is not steady yet; run longer, and raise "
                                    "output.statistics_from",
                                    100.0 * first, 100.0 * second)});
-}
-
-/// When the ice last loaded the structure [s].
-std::optional<double> last_load(std::span<const model::LoadRow> loads) {
-  std::optional<double> last;
-  for (const model::LoadRow& row : loads)
-    if (row.total.force != Vec3{}) last = row.time;
-  return last;
 }
 
 std::string no_load_text(std::optional<double> last, double statistics_from) {
@@ -83,10 +68,9 @@ std::string no_load_text(std::optional<double> last, double statistics_from) {
 
 }  // namespace
 
-Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
-                     const model::ReferenceSection& reference) {
+Warnings warnings_of(const RunSummary& s, const LoadsSeen& loads, const model::ReferenceSection& reference) {
   Warnings warnings;
-  const std::optional<double> last = last_load(loads);
+  const std::optional<double> last = loads.last_load();
   const bool no_load = !last || (!std::isnan(s.horizontal.mean) && *last <= s.window.from);
   if (no_load) warnings.push_back({"no-load", no_load_text(last, s.window.from)});
   if (s.n_breaks == 0 && !s.initial_floes && last)  // the loads of a field are of its floes
@@ -100,8 +84,8 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
                      "its interval means nothing; run longer, or take more replicates",
                      s.horizontal.effective_sample_size, s.window.from, kFewSamples)});
   if (!no_load) add_reference_warning(s, reference, warnings);
-  add_unsettled_warning(s, loads.size(), warnings);
-  add_coverage_warning(s, loads, warnings);
+  add_unsettled_warning(s, loads.n_steps(), warnings);
+  add_coverage_warning(loads, warnings);
   return warnings;
 }
 

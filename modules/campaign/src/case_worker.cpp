@@ -29,8 +29,9 @@ recording::Kept kept(const std::string& keep) {
 void remove_if_unfit(const simulation::CheckpointStore& checkpoint) {
   try {
     checkpoint.newest();
+    for (const std::string& file : checkpoint.earlier()) checkpoint.read_earlier(file);
   } catch (const InputError&) {
-    fs::remove(checkpoint.name);
+    recording::remove_checkpoint(checkpoint.name);
   }
 }
 
@@ -77,7 +78,7 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
       {.begun = [&] { recording::expect_unchanged(inputs); }, .checkpoint = store, .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
   recording::write_run(partial, inputs, run, {}, kept(task.keep));
-  fs::remove(checkpoint);
+  recording::remove_checkpoint(checkpoint);
   publish(partial, task.folder);
   return CaseEnd::kDone;
 }

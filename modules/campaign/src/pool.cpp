@@ -19,6 +19,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "brash/recording/recording.hpp"
 #include "folder.hpp"
 
 extern char** environ;  // POSIX
@@ -174,9 +175,7 @@ void keep_state(const Job& job, std::string& error) {
   if (job.folder.empty()) return;
   const std::string left = job.folder + "/checkpoint.nc";
   const std::string kept = job.record + ".nc";
-  std::error_code nothing_left;
-  fs::rename(left, kept, nothing_left);
-  if (nothing_left) return;
+  if (recording::move_checkpoint(left, kept)) return;  // nothing is left
   for (std::size_t at = 0; (at = error.find(left, at)) != std::string::npos; at += kept.size())
     error.replace(at, left.size(), kept);
 }

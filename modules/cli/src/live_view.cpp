@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "requests_to_end.hpp"
 
@@ -24,10 +25,10 @@ LiveView::LiveView(const model::Case& resolved)
 
 void LiveView::watch(simulation::RunOptions& options) {
   if (options.checkpoint.newest)
-    options.checkpoint.newest = [this, newest = std::move(options.checkpoint.newest)] {
+    options.checkpoint.newest = [this, store = options.checkpoint, newest = std::move(options.checkpoint.newest)] {
       std::optional<model::Checkpoint> saved = newest();
       if (saved) {
-        records_.begin_with(saved->results);
+        records_.begin_with(recording::with_earlier(store, saved->results));
         waits_ = true;
       }
       return saved;

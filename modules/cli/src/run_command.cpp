@@ -62,7 +62,7 @@ void run_case(const RunOptions& options) {
                                  [&] {
                                    recording::expect_unchanged(inputs);
                                    results.begin();
-                                   if (!goes_on) std::filesystem::remove(checkpoint);
+                                   if (!goes_on) recording::remove_checkpoint(checkpoint);
                                  },
                              .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs),
                              .threads = options.threads > 0 ? options.threads : Workers::available()};

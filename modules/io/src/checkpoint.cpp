@@ -26,6 +26,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kFormat = "brash-checkpoint-10";
+constexpr const char* kRowsFormat = "brash-checkpoint-rows-1";
 /// Of every variable and dimension of a table: results so far are in the same file.
 constexpr const char* kPrefix = "state_";
 
@@ -148,6 +149,18 @@ constexpr const char* kSealMark = "brash-sha256:";
 
 std::string seal_of(std::string_view bytes) { return kSealMark + sha256(bytes); }
 
+/// Writes `image` with its seal. @return the digest.
+std::string write_sealed(const std::string& path, const FileImage& image) {
+  const std::string seal = seal_of(image.bytes());
+  const std::string_view pieces[] = {image.bytes(), seal};
+  write_pieces(path, [&pieces, i = std::size_t{0}](std::string_view& piece) mutable {
+    if (i == std::size(pieces)) return false;
+    piece = pieces[i++];
+    return true;
+  });
+  return seal.substr(std::string_view(kSealMark).size());
+}
+
 /// The bytes of the sealed file `path`, without the seal.
 std::string read_sealed(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -182,14 +195,7 @@ void write_checkpoint(const std::string& path, const model::Case& resolved, cons
   file.attribute("tables", contents(tables).dump());
   for (const model::Table& table : tables) write_table(file, table);
   write_tables(file, results);
-  const FileImage image = file.finish();
-  const std::string seal = seal_of(image.bytes());
-  const std::string_view pieces[] = {image.bytes(), seal};
-  write_pieces(path, [&pieces, i = std::size_t{0}](std::string_view& piece) mutable {
-    if (i == std::size(pieces)) return false;
-    piece = pieces[i++];
-    return true;
-  });
+  write_sealed(path, file.finish());
 }
 
 model::Checkpoint read_checkpoint(const std::string& path) {
@@ -202,6 +208,21 @@ model::Checkpoint read_checkpoint(const std::string& path) {
     for (model::Column& column : table.columns) read_values(file, table, column);
   checkpoint.results = read_tables(file);
   return checkpoint;
+}
+
+std::string write_earlier_rows(const std::string& path, const model::RunResults& rows) {
+  NetcdfWriter file(path);
+  file.attribute("format", kRowsFormat);
+  write_tables(file, rows);
+  return write_sealed(path, file.finish());
+}
+
+model::RunResults read_earlier_rows(const std::string& path, const std::string& digest) {
+  std::string bytes = read_sealed(path);
+  if (sha256(bytes) != digest) refuse_file(path, "holds rows of another run than its checkpoint");
+  const NetcdfReader file(path, std::move(bytes));
+  if (file.attribute("format") != kRowsFormat) file.refuse("it does not hold rows of a run");
+  return read_tables(file);
 }
 
 }  // namespace brash::io

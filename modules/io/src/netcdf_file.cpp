@@ -6,7 +6,9 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <new>
 #include <type_traits>
 
@@ -25,6 +27,8 @@ constexpr int kDeflateLevel = 1;
 constexpr std::size_t kLeastDeflated = 4096;
 /// Memory that a file begins with; it grows.
 constexpr std::size_t kFirstBytes = 1 << 20;
+/// Values of continued files that are in memory together: each batch of variables opens all these files once.
+constexpr std::size_t kBatchBytes = 32 << 20;
 
 template <typename T>
 constexpr nc_type kType = NC_NAT;
@@ -81,6 +85,24 @@ void NetcdfWriter::attribute(const std::string& name, const std::string& text) {
   check(nc_put_att_text(file_, NC_GLOBAL, name.c_str(), text.size(), text.data()), name);
 }
 
+void NetcdfWriter::continue_files(const std::vector<std::string>& files) {
+  for (const std::string& path : files) {
+    const NetcdfReader file(path);
+    continued_.push_back({path, file.dimensions(), file.variables()});
+  }
+}
+
+bool NetcdfWriter::continues(const std::string& variable) const {
+  return std::ranges::any_of(continued_, [&](const Continued& file) { return file.variables.contains(variable); });
+}
+
+std::size_t NetcdfWriter::length_before(const std::string& dimension) const {
+  std::size_t length = 0;
+  for (const Continued& file : continued_)
+    if (const auto found = file.lengths.find(dimension); found != file.lengths.end()) length += found->second;
+  return length;
+}
+
 int NetcdfWriter::dimension(const std::string& name, std::size_t length) {
   int id = -1;
   if (nc_inq_dimid(file_, name.c_str(), &id) == NC_NOERR) {
@@ -112,6 +134,7 @@ void NetcdfWriter::describe(int variable, const std::string& name, const Meaning
 template <typename T>
 void NetcdfWriter::column(const std::string& name, const std::string& along, const Meaning& meaning, std::size_t length,
                           std::function<std::vector<T>()> values) {
+  length += length_before(along);
   n_bytes_ += length * sizeof(T);
   ask_for_memory(n_bytes_);
   const int dim = dimension(along, length);
@@ -121,12 +144,24 @@ void NetcdfWriter::column(const std::string& name, const std::string& along, con
     check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
   describe(variable, name, meaning);
   if (length == 0) return;
-  pending_.push_back([this, name, variable, length, values = std::move(values)] {
-    const std::vector<T> made = values();
-    BRASH_EXPECTS(made.size() == length, name, made.size(), length);
+  const auto all = std::make_shared<std::vector<T>>();
+  const auto take = [name, along, length, all](const NetcdfReader& earlier) {
+    all->reserve(length);
+    std::vector<T> part(earlier.has_dimension(along) ? earlier.length(along) : 0);
+    if (!part.empty() && earlier.has(name)) earlier.read(name, along, part);
+    all->insert(all->end(), part.begin(), part.end());
+  };
+  const auto write = [this, name, variable, length, all, values = std::move(values)] {
+    std::vector<T> own = values();
+    if (all->empty())
+      std::swap(*all, own);
+    else
+      all->insert(all->end(), own.begin(), own.end());
+    BRASH_EXPECTS(all->size() == length, name, all->size(), length);
     const std::size_t start = 0;
-    check(nc_put_vara(file_, variable, &start, &length, made.data()), name);
-  });
+    check(nc_put_vara(file_, variable, &start, &length, all->data()), name);
+  };
+  pending_.push_back({length * sizeof(T), take, write});
 }
 
 template void NetcdfWriter::column(const std::string&, const std::string&, const Meaning&, std::size_t,
@@ -163,30 +198,43 @@ void NetcdfWriter::variable(const std::string& name, const std::string& along, c
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), NC_STRING, 1, &dim, &variable), name);
   describe(variable, name, meaning);
-  pending_.push_back([this, name, variable, values] {
+  BRASH_EXPECTS(length_before(along) == 0, name);
+  const auto write = [this, name, variable, values] {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const char* text = values[i].c_str();
       check(nc_put_var1_string(file_, variable, &i, &text), name);
     }
-  });
+  };
+  pending_.push_back({.write = write});
 }
 
 void NetcdfWriter::container(const std::string& name, const Meaning& meaning) {
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), NC_INT, 0, nullptr, &variable), name);
   describe(variable, name, meaning);
-  pending_.push_back([this, name, variable] {
+  const auto write = [this, name, variable] {
     const int nothing = 0;
     check(nc_put_var_int(file_, variable, &nothing), name);
-  });
+  };
+  pending_.push_back({.write = write});
 }
 
 FileImage NetcdfWriter::finish() {
   ask_for_memory(n_bytes_);
   check(nc_enddef(file_), "file");
-  for (auto& write : pending_) {
-    write();
-    write = nullptr;
+  for (auto next = pending_.begin(); next != pending_.end();) {
+    const auto first = next;
+    for (std::size_t n_bytes = 0; next != pending_.end() && (next == first || n_bytes + next->n_bytes <= kBatchBytes);)
+      n_bytes += (next++)->n_bytes;
+    for (const Continued& earlier : continued_) {
+      const NetcdfReader file(earlier.path);
+      for (auto one = first; one != next; ++one)
+        if (one->take) one->take(file);
+    }
+    for (auto one = first; one != next; ++one) {
+      one->write();
+      *one = {};
+    }
   }
   NC_memio image{};
   const int file = std::exchange(file_, -1);
@@ -249,6 +297,35 @@ int NetcdfReader::find(const std::string& name, const std::string& dimension, in
 bool NetcdfReader::has(const std::string& name) const {
   int variable = 0;
   return nc_inq_varid(file_, name.c_str(), &variable) == NC_NOERR;
+}
+
+bool NetcdfReader::has_dimension(const std::string& name) const {
+  int id = 0;
+  return nc_inq_dimid(file_, name.c_str(), &id) == NC_NOERR;
+}
+
+std::map<std::string, std::size_t> NetcdfReader::dimensions() const {
+  int n = 0;
+  check(nc_inq_ndims(file_, &n), "dimensions");
+  std::map<std::string, std::size_t> all;
+  for (int id = 0; id < n; ++id) {
+    char name[NC_MAX_NAME + 1] = {};
+    check(nc_inq_dimname(file_, id, name), "dimensions");
+    all[name] = length(name);
+  }
+  return all;
+}
+
+std::set<std::string> NetcdfReader::variables() const {
+  int n = 0;
+  check(nc_inq_nvars(file_, &n), "variables");
+  std::set<std::string> all;
+  for (int id = 0; id < n; ++id) {
+    char name[NC_MAX_NAME + 1] = {};
+    check(nc_inq_varname(file_, id, name), "variables");
+    all.insert(name);
+  }
+  return all;
 }
 
 template <typename T>

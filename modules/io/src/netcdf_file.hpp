@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -42,6 +43,8 @@ class FileImage {
 /// Writes the whole file `image` to `path`, as write_file().
 void write_image(const std::string& path, const FileImage& image);
 
+class NetcdfReader;
+
 /// A netCDF-4 file that is being written, in memory: HDF5 does not survive a disk that is full. Its bytes depend
 /// only on the written values.
 class NetcdfWriter {
@@ -54,6 +57,11 @@ class NetcdfWriter {
   NetcdfWriter& operator=(const NetcdfWriter&) = delete;
 
   void attribute(const std::string& name, const std::string& text);
+  /// Puts the values that `files` have, in their order, before those of each variable of the same name, and makes its
+  /// dimension longer by as much. A file without the variable has zeros there. To be called before any variable.
+  void continue_files(const std::vector<std::string>& files);
+  /// Whether one of these files has the variable.
+  bool continues(const std::string& variable) const;
   /// Measured quantities along `dimension` repeat, as the poses of floes at rest do: they are deflated too.
   void expect_repeats(const std::string& dimension) { repeating_.insert(dimension); }
   /// Adds a variable along `dimension`, which is made as long as `values` when it is new.
@@ -78,6 +86,21 @@ class NetcdfWriter {
   FileImage finish();
 
  private:
+  /// A variable that has no values yet: they wait until all variables are there, since each turn from making a variable
+  /// to writing one would go through all of them in the library.
+  struct Pending {
+    std::size_t n_bytes = 0;
+    std::function<void(const NetcdfReader&)> take{};  ///< takes the values of a file that this one continues
+    std::function<void()> write{};
+  };
+  /// An earlier file: the lengths of its dimensions, and its variables.
+  struct Continued {
+    std::string path;
+    std::map<std::string, std::size_t> lengths;
+    std::set<std::string> variables;
+  };
+
+  std::size_t length_before(const std::string& dimension) const;
   void describe(int variable, const std::string& name, const Meaning& meaning);
   int dimension(const std::string& name, std::size_t length);
   void check(int status, const std::string& what) const;
@@ -85,9 +108,8 @@ class NetcdfWriter {
   netcdf::Lock lock_;
   std::string shown_;
   int file_ = -1;
-  /// Values wait until all variables are there: each turn from making a variable to writing one would go through all of
-  /// them in the library.
-  std::vector<std::function<void()>> pending_;
+  std::vector<Pending> pending_;
+  std::vector<Continued> continued_;
   std::size_t n_bytes_ = 0;  ///< of the values
   std::set<std::string> repeating_;
 };
@@ -103,6 +125,9 @@ class NetcdfReader {
   /// Never more than the file's bytes can hold.
   std::size_t length(const std::string& dimension) const;
   bool has(const std::string& name) const;
+  bool has_dimension(const std::string& name) const;
+  std::map<std::string, std::size_t> dimensions() const;
+  std::set<std::string> variables() const;
   /// Reads the one-dimensional variable `name` along `dimension`.
   void read(const std::string& name, const std::string& dimension, std::vector<double>& values) const;
   void read(const std::string& name, const std::string& dimension, std::vector<std::int64_t>& values) const;

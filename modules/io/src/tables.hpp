@@ -62,7 +62,8 @@ void write_rows(NetcdfWriter& file, const std::vector<Row>& rows, const std::str
   const auto for_each_row = [&rows](const auto& take) {
     for (const Row& row : rows) take(row);
   };
-  visit_used(rows, column_writer<Row>(file, rows.size(), for_each_row, geometry));
+  const auto is_before = [&file](const std::string& name) { return file.continues(Columns<Row>::prefix + name); };
+  visit_used(rows, column_writer<Row>(file, rows.size(), for_each_row, geometry), is_before);
 }
 
 template <typename Row>

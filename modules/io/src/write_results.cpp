@@ -14,12 +14,15 @@
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
 #include "result_tables.hpp"
+#include "tables.hpp"
 
 namespace brash::io {
 namespace {
 
-FileImage netcdf_image(const std::string& path, const model::Case& resolved, const model::RunResults& results) {
+FileImage netcdf_image(const std::string& path, const model::Case& resolved, const model::RunResults& results,
+                       const std::vector<std::string>& earlier) {
   NetcdfWriter file(path);
+  file.continue_files(earlier);
   file.attribute("Conventions", "CF-1.9");
   file.attribute("title", "brash run of the case " + resolved.name);
   file.attribute("source", std::string("brash ") + kVersion);
@@ -67,23 +70,40 @@ constexpr std::size_t kRowsOfPiece = 1000;
 /// history.csv in pieces: its text takes as much memory as the rows do.
 class HistoryText {
  public:
-  explicit HistoryText(const std::vector<model::LoadRow>& loads) : loads_(loads) {
-    visit_used(loads, [&](const std::string& name, const auto&...) { used_.insert(name); });
+  HistoryText(const std::vector<model::LoadRow>& loads, const std::vector<std::string>& earlier)
+      : last_(loads), earlier_(earlier) {
+    std::set<std::string> before;
+    for (const std::string& file : earlier) before.merge(NetcdfReader(file).variables());
+    visit_used(
+        loads,
+        [&](const std::string& name, const auto&...) {
+          used_.insert(name);
+          names_ += name + ',';
+        },
+        [&](const std::string& name) { return before.contains(name); });
+    names_.back() = '\n';
   }
 
   bool next(std::string_view& piece) {
-    text_.clear();
-    if (!std::exchange(begun_, true)) add_names(text_);
-    const std::size_t end = std::min(next_ + kRowsOfPiece, loads_.size());
-    for (; next_ < end; ++next_) add_row(text_, loads_[next_]);
+    text_ = std::exchange(names_, {});
+    while (text_.empty() && next_ == loads_->size())
+      if (!take_loads()) return false;
+    const std::size_t end = std::min(next_ + kRowsOfPiece, loads_->size());
+    for (; next_ < end; ++next_) add_row(text_, (*loads_)[next_]);
     piece = text_;
-    return !text_.empty();
+    return true;
   }
 
  private:
-  void add_names(std::string& text) const {
-    visit_used(loads_, [&](const std::string& name, const auto&...) { text += name + ','; });
-    text.back() = '\n';
+  /// Goes on to the loads of the next file, and after all files to the last ones; false: there are none.
+  bool take_loads() {
+    if (loads_ == &last_) return false;
+    next_ = 0;
+    if (n_read_ == earlier_.size())
+      loads_ = &last_;
+    else
+      read_ = read_rows<model::LoadRow>(NetcdfReader(earlier_[n_read_++]));
+    return true;
   }
   void add_row(std::string& text, const model::LoadRow& row) const {
     Columns<model::LoadRow>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
@@ -94,10 +114,13 @@ class HistoryText {
     text.back() = '\n';
   }
 
-  const std::vector<model::LoadRow>& loads_;
-  std::set<std::string> used_;
-  std::string text_;
-  bool begun_ = false;
+  const std::vector<model::LoadRow>& last_;
+  const std::vector<std::string>& earlier_;
+  std::vector<model::LoadRow> read_{};                 ///< of an earlier file
+  const std::vector<model::LoadRow>* loads_ = &read_;  ///< whose lines are made
+  std::size_t n_read_ = 0;                             ///< files
+  std::set<std::string> used_{};
+  std::string names_{}, text_{};
   std::size_t next_ = 0;  ///< row
 };
 
@@ -150,16 +173,18 @@ std::string events_csv(const model::RunResults& results) {
 
 }  // namespace
 
-void write_results(const std::string& directory, const model::Case& resolved, const model::RunResults& results) {
+void write_results(const std::string& directory, const model::Case& resolved, const model::RunResults& results,
+                   const std::vector<std::string>& earlier) {
   const std::filesystem::path folder(directory);
   const std::string path = (folder / "run.nc").string();
-  write_image(path, netcdf_image(path, resolved, results));
-  write_history(directory, results);
+  write_image(path, netcdf_image(path, resolved, results, earlier));
+  write_history(directory, results, earlier);
   write_file((folder / "events.csv").string(), events_csv(results));
 }
 
-void write_history(const std::string& directory, const model::RunResults& results) {
-  HistoryText text(results.loads);
+void write_history(const std::string& directory, const model::RunResults& results,
+                   const std::vector<std::string>& earlier) {
+  HistoryText text(results.loads, earlier);
   write_pieces((std::filesystem::path(directory) / "history.csv").string(),
                [&text](std::string_view& piece) { return text.next(piece); });
 }

@@ -208,12 +208,13 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   std::optional<FolderLock> lock;
   std::optional<recording::NewResults> results;
   simulation::RunOptions options;
-  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(checkpoint, resume, inputs);
+  if (!directory.empty())
+    options.checkpoint = recording::checkpoint_file(checkpoint, resume, inputs, recording::Rows::kInMemory);
   options.begun = [&] {
     if (directory.empty()) return;
     recording::expect_unchanged(inputs);
     results->begin();
-    if (!goes_on) std::filesystem::remove(checkpoint);
+    if (!goes_on) recording::remove_checkpoint(checkpoint);
   };
   options.threads = checked(threads);
   SignalPoll poll;

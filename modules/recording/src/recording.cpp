@@ -6,8 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <map>
+#include <memory>
+#include <string_view>
+#include <system_error>
 
+#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/checkpoint.hpp"
@@ -17,18 +23,87 @@
 
 namespace brash::recording {
 
-simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume) {
-  simulation::CheckpointStore store{.name = path,
-                                    .keep = [path](const model::Checkpoint& c) { io::write_checkpoint(path, c); }};
-  if (resume)
-    store.newest = [path]() -> std::optional<model::Checkpoint> {
-      if (!std::filesystem::exists(path)) return std::nullopt;
-      return io::read_checkpoint(path);
-    };
-  return store;
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files with the earlier rows of a run, beside its checkpoint and numbered from the oldest on.
+class EarlierRows {
+ public:
+  explicit EarlierRows(const std::string& checkpoint) : checkpoint_(checkpoint) {}
+
+  void keep(const model::RunResults& rows) {
+    const std::string path = path_of(digests_.size());
+    digests_.push_back(io::write_earlier_rows(path, rows));
+  }
+  std::vector<std::string> paths() const {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < digests_.size(); ++i) all.push_back(path_of(i));
+    return all;
+  }
+  model::RunResults read(const std::string& path) const {
+    const std::vector<std::string> all = paths();
+    const auto file = std::ranges::find(all, path);
+    BRASH_EXPECTS(file != all.end(), path);
+    return io::read_earlier_rows(path, digests_[static_cast<std::size_t>(file - all.begin())]);
+  }
+
+  /// Their hashes, for a state; no table without files.
+  std::vector<model::Table> tables() const {
+    if (digests_.empty()) return {};
+    return {model::Table{kTable, {{"sha256", "1", "SHA-256 of a file with earlier rows, without its seal", digests_}}}};
+  }
+  /// Takes them from a state.
+  void read_from(const model::Checkpoint& checkpoint) {
+    digests_.clear();
+    const auto table = std::ranges::find(checkpoint.tables, kTable, &model::Table::name);
+    if (table != checkpoint.tables.end()) digests_ = std::get<std::vector<std::string>>(table->column("sha256").values);
+  }
+
+  /// The names of the files of rows without their numbers.
+  static std::string stem_of(const std::string& checkpoint) {
+    return fs::path(checkpoint).replace_extension(".rows-").string();
+  }
+  /// Whether `name` is of a file of rows beside `checkpoint`.
+  static bool is_of_rows(const std::string& checkpoint, const std::string& name) {
+    const std::string prefix = fs::path(stem_of(checkpoint)).filename().string();
+    return name.starts_with(prefix) && name.ends_with(kEnd) &&
+           name.find_first_not_of("0123456789", prefix.size()) == name.size() - std::string_view(kEnd).size();
+  }
+
+ private:
+  static constexpr const char* kTable = "earlier_rows";
+  static constexpr const char* kEnd = ".nc";
+
+  std::string path_of(std::size_t i) const { return fmt::format("{}{:04}{}", stem_of(checkpoint_), i + 1, kEnd); }
+
+  std::string checkpoint_;
+  std::vector<std::string> digests_{};
+};
+
+/// Puts the rows of `files` before those of `results`.
+void put_before(model::RunResults& results, const std::vector<std::string>& files,
+                const std::function<model::RunResults(const std::string& file)>& read) {
+  model::RunResults all;
+  const auto append = [&all](model::RunResults& part) {
+    std::ranges::move(part.loads, std::back_inserter(all.loads));
+    std::ranges::move(part.frames, std::back_inserter(all.frames));
+    std::ranges::move(part.cracked_sheets, std::back_inserter(all.cracked_sheets));
+  };
+  for (const std::string& file : files) {
+    model::RunResults part = read(file);
+    append(part);
+  }
+  append(results);
+  results.loads = std::move(all.loads);
+  results.frames = std::move(all.frames);
+  results.cracked_sheets = std::move(all.cracked_sheets);
 }
 
-namespace {
+std::vector<model::Table> joined(std::vector<model::Table> tables, const std::vector<model::Table>& more) {
+  tables.insert(tables.end(), more.begin(), more.end());
+  return tables;
+}
 
 constexpr const char* kInputs = "input";
 
@@ -71,16 +146,79 @@ void tell_of_another_program(model::Checkpoint& checkpoint) {
 
 }  // namespace
 
-simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs) {
-  simulation::CheckpointStore store = checkpoint_file(path, resume);
+std::vector<std::string> files_of_rows(const std::string& path) {
+  std::vector<std::string> files;
+  std::error_code ignored;
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (EarlierRows::is_of_rows(path, entry.path().filename().string()) && !entry.is_directory(ignored))
+      files.push_back(entry.path().string());
+  return files;
+}
+
+void remove_checkpoint(const std::string& path) {
+  fs::remove(path);  // first: a state names its rows
+  for (const std::string& file : files_of_rows(path)) fs::remove(file);
+}
+
+std::error_code move_checkpoint(const std::string& path, const std::string& to) {
+  std::error_code status;
+  const std::vector<std::string> rows = files_of_rows(path);
+  fs::rename(path, to, status);
+  if (status) return status;
+  for (const std::string& file : rows)
+    fs::rename(file, EarlierRows::stem_of(to) + file.substr(EarlierRows::stem_of(path).size()), status);
+  return status;
+}
+
+model::RunResults with_earlier(const simulation::CheckpointStore& store, model::RunResults results) {
+  put_before(results, store.earlier(), store.read_earlier);
+  return results;
+}
+
+namespace {
+
+/// @param write  writes a state with the tables of its rows' files.
+simulation::CheckpointStore store_of(
+    const std::string& path, bool resume, Rows rows,
+    std::function<void(const model::Checkpoint&, const std::vector<model::Table>& of_rows)> write) {
+  const auto earlier = std::make_shared<EarlierRows>(path);
+  simulation::CheckpointStore store{
+      .name = path,
+      .keep = [earlier, write = std::move(write)](const model::Checkpoint& state) { write(state, earlier->tables()); },
+      .earlier = [earlier] { return earlier->paths(); },
+      .read_earlier = [earlier](const std::string& file) { return earlier->read(file); }};
+  if (rows == Rows::kInFiles) store.keep_earlier = [earlier](const model::RunResults& part) { earlier->keep(part); };
+  if (!resume) return store;
+  store.newest = [path, rows, earlier]() -> std::optional<model::Checkpoint> {
+    if (!fs::exists(path)) return std::nullopt;
+    model::Checkpoint state = io::read_checkpoint(path);
+    earlier->read_from(state);
+    if (rows == Rows::kInMemory) {
+      put_before(state.results, earlier->paths(), [earlier](const std::string& file) { return earlier->read(file); });
+      *earlier = EarlierRows(path);
+    }
+    return state;
+  };
+  return store;
+}
+
+}  // namespace
+
+simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, Rows rows) {
+  return store_of(path, resume, rows, [path](const model::Checkpoint& state, const std::vector<model::Table>& of_rows) {
+    io::write_checkpoint(path, state.resolved, joined(state.tables, of_rows), state.results);
+  });
+}
+
+simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs, Rows rows) {
   const model::Table models = models_of(inputs);
   // The results of a long run are many: a state with the tables of this run is written, and never copied with them.
-  store.keep = [path, models](const model::Checkpoint& checkpoint) {
-    std::vector<model::Table> tables = checkpoint.tables;
-    tables.push_back(models);
-    tables.push_back(this_program());
-    io::write_checkpoint(path, nameless(checkpoint.resolved), tables, checkpoint.results);
+  const auto write = [path, models](const model::Checkpoint& state, const std::vector<model::Table>& of_rows) {
+    io::write_checkpoint(path, nameless(state.resolved),
+                         joined(joined(state.tables, {models, this_program()}), of_rows), state.results);
   };
+  simulation::CheckpointStore store = store_of(path, resume, rows, write);
   if (!store.newest) return store;
   store.newest = [newest = store.newest, models, inputs, path]() -> std::optional<model::Checkpoint> {
     std::optional<model::Checkpoint> checkpoint = newest();
@@ -105,10 +243,10 @@ void write_run(const std::string& directory, const Inputs& inputs, const simulat
   const model::Case resolved = inputs.recorded();
   std::vector<std::string> outputs{"summary.json"};
   if (kept == Kept::kRun) {
-    io::write_results(directory, resolved, run.results);
+    io::write_results(directory, resolved, run.results, run.earlier);
     outputs = {"run.nc", "history.csv", "events.csv", "summary.json"};
   } else if (kept == Kept::kHistory) {
-    io::write_history(directory, run.results);
+    io::write_history(directory, run.results, run.earlier);
     outputs = {"history.csv", "summary.json"};
   }
   simulation::RunSummary summary = run.summary;

@@ -158,6 +158,7 @@ FolderLock open_run_folder(const std::string& directory) {
   settle_results(directory);
   refuse_files_of_others(directory);
   remove_parts(directory);
+  if (!fs::exists(directory + "/checkpoint.nc")) remove_checkpoint(directory + "/checkpoint.nc");
   return lock;
 }
 
@@ -193,6 +194,9 @@ void NewResults::write(const Inputs& inputs, const simulation::Run& run, const s
   }
   write_run(part.string(), inputs, run, names);
   move_results(part, directory_);
+  // Rows in files take as much space as the results, which are whole now.
+  const std::string checkpoint = directory_ + "/checkpoint.nc";
+  if (!files_of_rows(checkpoint).empty()) remove_checkpoint(checkpoint);
 }
 
 }  // namespace brash::recording

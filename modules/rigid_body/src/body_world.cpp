@@ -2,8 +2,11 @@
 #include "body_world.hpp"
 
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <LinearMath/btAlignedAllocator.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -12,6 +15,15 @@
 
 namespace brash::rigid_body {
 namespace {
+
+void* allocate(std::size_t n_bytes) {
+  void* const memory = std::malloc(n_bytes);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// Bullet uses memory that it did not get, which ends the program.
+[[maybe_unused]] const bool kMemoryIsChecked = (btAlignedAllocSetCustom(&allocate, &std::free), true);
 
 constexpr int kMobile = 1;
 constexpr int kFixed = 2;

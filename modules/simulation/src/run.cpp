@@ -39,18 +39,23 @@ class Recorder {
     add_births(simulation.initial_births());
     results_.frames.push_back(simulation.frame());
   }
-  Recorder(const model::Case& resolved, model::RunResults so_far)
-      : frame_interval_(1.0 / resolved.output.frames_per_second), results_(std::move(so_far)) {}
+  Recorder(const model::Case& resolved, model::RunResults so_far, std::size_t n_frames_before)
+      : frame_interval_(1.0 / resolved.output.frames_per_second),
+        results_(std::move(so_far)),
+        n_frames_before_(n_frames_before) {
+    n_bytes_ = bytes_of(results_.loads) + bytes_of(results_.frames) + bytes_of(results_.cracked_sheets);
+  }
 
   void record(const Simulation& simulation, const StepReport& report) {
-    results_.loads.push_back(report.loads);
+    add(results_.loads, report.loads);
     std::ranges::copy(report.events, std::back_inserter(results_.events));
     // Half a nanosecond absorbs the rounding of step times.
-    const bool has_frame = simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size());
+    const auto n_frames = static_cast<double>(n_frames_before_ + results_.frames.size());
+    const bool has_frame = simulation.time() + 5e-10 >= frame_interval_ * n_frames;
     std::ranges::copy(report.splits, std::back_inserter(results_.splits));
     const bool sheets_move = has_frame && !simulation.sheet_motions().empty();
     if (!report.events.empty() || !report.splits.empty() || sheets_move)
-      results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
+      add(results_.cracked_sheets, {simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {
       model::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
@@ -58,7 +63,21 @@ class Recorder {
       floe.end = death.cause;
       floe.peak_stress = death.peak_stress;
     }
-    if (has_frame) results_.frames.push_back(simulation.frame());
+    if (has_frame) add(results_.frames, simulation.frame());
+  }
+
+  /// Size of the rows that are in memory.
+  std::size_t n_bytes() const { return n_bytes_; }
+
+  /// Gives all loads, frames and cracked sheets to `keep` but the newest of each.
+  void keep_earlier(const std::function<void(const model::RunResults&)>& keep) {
+    model::RunResults earlier;
+    earlier.loads = all_but_newest(results_.loads);
+    earlier.frames = all_but_newest(results_.frames);
+    earlier.cracked_sheets = all_but_newest(results_.cracked_sheets);
+    keep(earlier);
+    n_frames_before_ += earlier.frames.size();
+    n_bytes_ = bytes_of(results_.loads) + bytes_of(results_.frames) + bytes_of(results_.cracked_sheets);
   }
 
   /// Exchanges the results so far: a state is kept with them, and they come back.
@@ -78,8 +97,40 @@ class Recorder {
     std::ranges::copy(births, std::back_inserter(results_.floes));
   }
 
+  static std::size_t size_of(const model::LoadRow&) { return sizeof(model::LoadRow); }
+  static std::size_t size_of(const model::Frame& frame) {
+    return sizeof frame + sizeof(model::FloePose) * frame.floes.size();
+  }
+  static std::size_t size_of(const model::CrackedSheet& sheet) {
+    std::size_t n_bytes = sizeof sheet;
+    for (const std::vector<Vec2>& ring : sheet.rings) n_bytes += sizeof ring + sizeof(Vec2) * ring.size();
+    return n_bytes;
+  }
+  template <typename Row>
+  static std::size_t bytes_of(const std::vector<Row>& rows) {
+    std::size_t n_bytes = 0;
+    for (const Row& row : rows) n_bytes += size_of(row);
+    return n_bytes;
+  }
+  template <typename Row>
+  void add(std::vector<Row>& rows, Row row) {
+    n_bytes_ += size_of(row);
+    rows.push_back(std::move(row));
+  }
+  /// Takes all rows but the newest out of `rows`.
+  template <typename Row>
+  static std::vector<Row> all_but_newest(std::vector<Row>& rows) {
+    std::vector<Row> earlier = std::exchange(rows, {});
+    if (earlier.empty()) return earlier;
+    rows.push_back(std::move(earlier.back()));
+    earlier.pop_back();
+    return earlier;
+  }
+
   double frame_interval_;
   model::RunResults results_;
+  std::size_t n_frames_before_ = 0;  ///< that results_ had and has no more
+  std::size_t n_bytes_ = 0;          ///< of the loads, frames and cracked sheets in results_
 };
 
 using Clock = std::chrono::steady_clock;
@@ -174,6 +225,13 @@ constexpr std::int64_t kStepsAgain = 100;
 constexpr double kSecondsAgain = 1.0;
 constexpr double kKnownShare = 0.01;
 
+/// Calls `take` with the rows of each file of the store, oldest first.
+template <typename Take>
+void for_each_earlier(const CheckpointStore& store, const Take& take) {
+  if (!store.earlier) return;
+  for (const std::string& file : store.earlier()) take(store.read_earlier(file));
+}
+
 Progress begin(const model::Case& resolved, const RunOptions& options) {
   std::optional<model::Checkpoint> saved = options.checkpoint.newest ? options.checkpoint.newest() : std::nullopt;
   if (!saved) {
@@ -182,7 +240,10 @@ Progress begin(const model::Case& resolved, const RunOptions& options) {
     return {std::move(simulation), std::move(recorder), {}};
   }
   try {
-    Progress progress{Simulation(resolved, *saved, options.threads), Recorder(resolved, std::move(saved->results)), {}};
+    std::size_t n_frames = 0;
+    for_each_earlier(options.checkpoint, [&](const model::RunResults& part) { n_frames += part.frames.size(); });
+    Progress progress{
+        Simulation(resolved, *saved, options.threads), Recorder(resolved, std::move(saved->results), n_frames), {}};
     model::restore(*saved, "counts", progress.counts);
     progress.earlier_warnings = warnings_in(*saved);
     return progress;
@@ -327,6 +388,8 @@ bool advance(const model::Case& resolved, const RunOptions& options, Progress& p
       progress.recorder.record(progress.simulation, *report);
       count(progress.counts.summary, *report, resolved.water.current);
       if (options.observer) options.observer(progress.simulation, *report);
+      if (options.checkpoint.keep_earlier && progress.recorder.n_bytes() > options.most_bytes_in_memory)
+        progress.recorder.keep_earlier(options.checkpoint.keep_earlier);
     }
     const bool interrupted = !report || (options.interrupted && options.interrupted());
     if (options.checkpoint.keep && (interrupted || is_checkpoint_due(progress, done, checkpoint_every))) {
@@ -369,9 +432,14 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {
     progress.counts.summary.window = Setup(resolved).window;
-    finished.summary = summarise(resolved, finished.results, water, progress.counts.summary);
+    RowSummary rows(resolved, progress.counts.summary.window);
+    for_each_earlier(options.checkpoint, [&](const model::RunResults& part) { rows.add(part); });
+    rows.add(finished.results);
+    finished.summary = summarise(resolved, finished.results, rows, water, progress.counts.summary);
     finished.summary.warnings = std::move(progress.earlier_warnings);
+    finished.loads_seen = rows.loads_seen();
   }
+  if (options.checkpoint.earlier) finished.earlier = options.checkpoint.earlier();
   finished.stage_times = progress.simulation.stage_times();
   finished.stage_times.recording = progress.recording_seconds;
   finished.wall_seconds = seconds_since(start);

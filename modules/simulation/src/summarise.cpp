@@ -19,24 +19,8 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
 
-/// Mean over the window of one component of the loads.
-template <typename Component>
-double mean(std::span<const model::LoadRow> rows, Component component) {
-  double sum = 0.0;
-  for (const model::LoadRow& row : rows) sum += component(row);
-  return rows.empty() ? kUnknown : sum / static_cast<double>(rows.size());
-}
-
-template <typename Component>
-double maximum(std::span<const model::LoadRow> rows, Component component) {
-  double most = rows.empty() ? kUnknown : component(rows.front());
-  for (const model::LoadRow& row : rows) most = std::max(most, component(row));
-  return most;
-}
-
-template <typename Component>
-statistics::Summary summarise_component(std::span<const model::LoadRow> rows, double step, Component component) {
-  if (rows.size() < 2)
+statistics::Summary summarise_component(const std::vector<double>& samples, double step) {
+  if (samples.size() < 2)
     return {.mean = kUnknown,
             .standard_deviation = kUnknown,
             .minimum = kUnknown,
@@ -49,44 +33,7 @@ statistics::Summary summarise_component(std::span<const model::LoadRow> rows, do
             .autocorrelation_time = kUnknown,
             .effective_sample_size = kUnknown,
             .mean_95 = {kUnknown, kUnknown}};
-  std::vector<double> samples;
-  for (const model::LoadRow& row : rows) samples.push_back(component(row));
   return statistics::summarise(samples, step);
-}
-
-template <typename Axis>
-LoadSplit split(std::span<const model::LoadRow> rows, Axis axis) {
-  return {mean(rows, [&](const model::LoadRow& r) { return axis(r.crushing.force); }),
-          mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_normal.force); }),
-          mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_friction.force); })};
-}
-
-/// Of the legs, or of the regions of a ship or a mesh. Where no ice touches a hull, its regions carry zero; a hull that
-/// carries a load on none of its regions has no regions.
-std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, const model::StructureSection& structure) {
-  const std::size_t n_legs = structure.legs.size();
-  const std::size_t first = n_legs > 0 ? model::kHullRegions : 0;
-  const std::size_t end = n_legs > 0 ? first + n_legs : model::kHullRegions;
-  std::vector<RegionMean> means;
-  const bool is_long =
-      std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape);
-  const auto is_touched = [](const model::LoadRow& row) { return row.total.force != Vec3{}; };
-  bool any = n_legs > 0 || (is_long && std::ranges::none_of(rows, is_touched));
-  model::RegionLoads::visit([&](const char* region, const char*, std::size_t i) {
-    if (i < first || i >= end) return;
-    const auto mean_of = [&](Vec3 model::RegionLoad::*force) {
-      const auto along = [&](double Vec3::*axis) {
-        return mean(rows, [&](const model::LoadRow& row) { return row.regions[i].*force.*axis; });
-      };
-      return Vec3{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
-    };
-    means.push_back({region,
-                     {mean_of(&model::RegionLoad::total), mean_of(&model::RegionLoad::crushing),
-                      mean(rows, [&](const model::LoadRow& row) { return row.regions[i].covered; })}});
-    any = any || means.back().load != model::RegionLoad{};
-  });
-  if (rows.empty() || !any) means.clear();
-  return means;
 }
 
 nlohmann::ordered_json json_of(const std::vector<RegionMean>& means) {
@@ -99,21 +46,9 @@ nlohmann::ordered_json json_of(const std::vector<RegionMean>& means) {
   return json;
 }
 
-/// The largest speed of a floe between two frames [m/s]; nothing without them.
-std::optional<double> fastest(std::span<const model::Frame> frames) {
-  if (frames.size() < 2) return std::nullopt;
-  double speed = 0.0;
-  std::map<std::int64_t, Vec3> before;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    std::map<std::int64_t, Vec3> now;
-    for (const model::FloePose& floe : frames[i].floes) {
-      now[floe.floe] = floe.pose.position;
-      if (const auto last = before.find(floe.floe); last != before.end())
-        speed = std::max(speed, norm(floe.pose.position - last->second) / (frames[i].time - frames[i - 1].time));
-    }
-    before = std::move(now);
-  }
-  return speed;
+/// Up to it the window reaches; half a step absorbs the rounding of step times [s].
+double last_time(const model::Case& resolved, const StatisticsWindow& window) {
+  return window.until + 0.5 * resolved.time.step;
 }
 
 /// An interval of a mean; null where there are too few samples for one.
@@ -159,25 +94,6 @@ nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
           {"snap", ledger.snap.to_string()},
           {"n_rounded", ledger.n_rounded},
           {"closes", ledger.closes()}};
-}
-
-EnergyBalance energy_balance(std::span<const model::LoadRow> rows) {
-  if (rows.empty()) return {};
-  double largest = 0.0;
-  double before = 0.0;
-  for (const model::LoadRow& row : rows) {
-    largest = std::max(largest, std::abs(row.energy_error - before));
-    before = row.energy_error;
-  }
-  const model::LoadRow& end = rows.back();
-  return {.work = end.work,
-          .birth_energy = end.birth_energy,
-          .kinetic_energy = end.kinetic_energy,
-          .potential_energy = end.potential_energy,
-          .removed_energy = end.removed_energy,
-          .losses = end.losses,
-          .error = end.energy_error,
-          .largest_step_error = largest};
 }
 
 nlohmann::ordered_json json_of(const EnergyBalance& e) {
@@ -231,33 +147,138 @@ InitialFloes floes_at_start(const model::RunResults& results, double open_water)
 
 }  // namespace
 
-RunSummary summarise(const model::Case& resolved, const model::RunResults& results, double open_water, RunSummary s) {
-  const double last_time = s.window.until + 0.5 * resolved.time.step;
-  const auto first = std::ranges::upper_bound(results.loads, s.window.from, {}, &model::LoadRow::time);
-  const auto end = std::ranges::upper_bound(first, results.loads.end(), last_time, {}, &model::LoadRow::time);
-  const std::span<const model::LoadRow> window(first, end);
-  const auto x = [](Vec3 v) { return v.x; };
-  const auto z = [](Vec3 v) { return v.z; };
-  const auto total_x = [](const model::LoadRow& r) { return r.total.force.x; };
-  const auto total_z = [](const model::LoadRow& r) { return r.total.force.z; };
-  s.horizontal = summarise_component(window, resolved.time.step, total_x);
-  s.vertical = summarise_component(window, resolved.time.step, total_z);
-  s.horizontal_split = split(window, x);
-  s.vertical_split = split(window, z);
-  s.regions = mean_by_region(window, resolved.structure);
-  s.mean_horizontal_whole = mean(results.loads, total_x);
-  s.mean_vertical_whole = mean(results.loads, total_z);
-  s.maximum_horizontal_whole = maximum(results.loads, total_x);
-  s.maximum_vertical_whole = maximum(results.loads, total_z);
-  s.minimum_horizontal_whole = -maximum(results.loads, [&](const auto& row) { return -total_x(row); });
-  s.minimum_vertical_whole = -maximum(results.loads, [&](const auto& row) { return -total_z(row); });
+void LoadsSeen::add(const model::LoadRow& row) {
+  ++n_steps_;
+  if (row.total.force != Vec3{}) last_load_ = row.time;
+  if (row.time <= from_ || row.time > until_) return;
+  const std::size_t half = row.time <= 0.5 * (from_ + until_) ? 0 : 1;
+  sums_.at(half) += row.regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered;
+  rows_.at(half) += 1.0;
+}
 
+double Mean::value() const { return n == 0 ? kUnknown : sum / static_cast<double>(n); }
+
+RowSummary::RowSummary(const model::Case& resolved, const StatisticsWindow& window)
+    : from_(window.from), until_(last_time(resolved, window)), seen_(window) {}
+
+void RowSummary::add(const model::RunResults& part) {
+  for (const model::LoadRow& row : part.loads) add(row);
+  for (const model::Frame& frame : part.frames) add(frame);
+}
+
+void RowSummary::Whole::add(double load) {
+  mean.add(load);
+  most = std::max(most.value_or(load), load);
+  most_backwards = std::max(most_backwards.value_or(-load), -load);
+}
+
+void RowSummary::add(const model::LoadRow& row) {
+  seen_.add(row);
+  horizontal_.add(row.total.force.x);
+  vertical_.add(row.total.force.z);
+  largest_step_error_ = std::max(largest_step_error_, std::abs(row.energy_error - last_.energy_error));
+  last_ = row;
+  if (row.time > from_ && row.time <= until_) add_to_window(row);
+}
+
+void RowSummary::add_to_window(const model::LoadRow& row) {
+  window_.horizontal.push_back(row.total.force.x);
+  window_.vertical.push_back(row.total.force.z);
+  window_.crushing += row.crushing.force;
+  window_.floe_normal += row.floe_normal.force;
+  window_.floe_friction += row.floe_friction.force;
+  for (std::size_t i = 0; i < row.regions.size(); ++i) {
+    window_.regions[i].total += row.regions[i].total;
+    window_.regions[i].crushing += row.regions[i].crushing;
+    window_.regions[i].covered += row.regions[i].covered;
+  }
+  window_.is_touched = window_.is_touched || row.total.force != Vec3{};
+}
+
+void RowSummary::add(const model::Frame& frame) {
+  std::map<std::int64_t, Vec3> now;
+  for (const model::FloePose& floe : frame.floes) {
+    now[floe.floe] = floe.pose.position;
+    if (const auto last = positions_.find(floe.floe); last != positions_.end())
+      fastest_ = std::max(fastest_, norm(floe.pose.position - last->second) / (frame.time - frame_time_));
+  }
+  positions_ = std::move(now);
+  frame_time_ = frame.time;
+  ++n_frames_;
+}
+
+LoadSplit RowSummary::split(double Vec3::*axis) const {
+  const auto mean = [&](Vec3 sum) { return Mean{sum.*axis, window_.horizontal.size()}.value(); };
+  return {mean(window_.crushing), mean(window_.floe_normal), mean(window_.floe_friction)};
+}
+
+/// Of the legs, or of the regions of a ship or a mesh. Where no ice touches a hull, its regions carry zero; a hull that
+/// carries a load on none of its regions has no regions.
+std::vector<RegionMean> RowSummary::mean_by_region(const model::StructureSection& structure) const {
+  const std::size_t n_legs = structure.legs.size();
+  const std::size_t first = n_legs > 0 ? model::kHullRegions : 0;
+  const std::size_t end = n_legs > 0 ? first + n_legs : model::kHullRegions;
+  std::vector<RegionMean> means;
+  const bool is_long =
+      std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape);
+  bool any = n_legs > 0 || (is_long && !window_.is_touched);
+  const std::size_t n = window_.horizontal.size();
+  const auto mean_of = [n](Vec3 sum) {
+    return Vec3{Mean{sum.x, n}.value(), Mean{sum.y, n}.value(), Mean{sum.z, n}.value()};
+  };
+  model::RegionLoads::visit([&](const char* region, const char*, std::size_t i) {
+    if (i < first || i >= end) return;
+    const model::RegionLoad& sums = window_.regions[i];
+    means.push_back({region, {mean_of(sums.total), mean_of(sums.crushing), Mean{sums.covered, n}.value()}});
+    any = any || means.back().load != model::RegionLoad{};
+  });
+  if (n == 0 || !any) means.clear();
+  return means;
+}
+
+/// The largest speed of a floe between two frames [m/s]; nothing without them.
+std::optional<double> RowSummary::fastest() const {
+  if (n_frames_ < 2) return std::nullopt;
+  return fastest_;
+}
+
+EnergyBalance RowSummary::energy_balance() const {
+  return {.work = last_.work,
+          .birth_energy = last_.birth_energy,
+          .kinetic_energy = last_.kinetic_energy,
+          .potential_energy = last_.potential_energy,
+          .removed_energy = last_.removed_energy,
+          .losses = last_.losses,
+          .error = last_.energy_error,
+          .largest_step_error = largest_step_error_};
+}
+
+void RowSummary::write_to(const model::Case& resolved, RunSummary& s) const {
+  s.horizontal = summarise_component(window_.horizontal, resolved.time.step);
+  s.vertical = summarise_component(window_.vertical, resolved.time.step);
+  s.horizontal_split = split(&Vec3::x);
+  s.vertical_split = split(&Vec3::z);
+  s.regions = mean_by_region(resolved.structure);
+  s.mean_horizontal_whole = horizontal_.mean.value();
+  s.mean_vertical_whole = vertical_.mean.value();
+  s.maximum_horizontal_whole = horizontal_.most.value_or(kUnknown);
+  s.maximum_vertical_whole = vertical_.most.value_or(kUnknown);
+  s.minimum_horizontal_whole = -horizontal_.most_backwards.value_or(kUnknown);
+  s.minimum_vertical_whole = -vertical_.most_backwards.value_or(kUnknown);
+  s.mean_last_change = Mean{s.sum_of_last_changes, seen_.n_steps()}.value();
+  s.fastest_floe = fastest();
+  s.energy = energy_balance();
+}
+
+RunSummary summarise(const model::Case& resolved, const model::RunResults& results, const RowSummary& rows,
+                     double open_water, RunSummary s) {
+  rows.write_to(resolved, s);
   s.n_breaks = static_cast<int>(results.events.size());
   std::vector<double> lengths, overloads, stresses;
   int n_in_window = 0;
   for (const model::CrackEvent& event : results.events) {
     lengths.push_back(event.breaking_length);
-    n_in_window += event.time > s.window.from && event.time <= last_time ? 1 : 0;
+    n_in_window += event.time > s.window.from && event.time <= last_time(resolved, s.window) ? 1 : 0;
     if (event.overload == 0.0 || event.pressing_floe != model::kNoFloe) continue;
     overloads.push_back(event.overload);
     stresses.push_back(event.sigma_max / event.flexural_strength);
@@ -277,11 +298,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
   if (resolved.field.kind == model::FieldKind::kFloes) s.initial_floes = floes_at_start(results, open_water);
-  s.mean_last_change =
-      results.loads.empty() ? kUnknown : s.sum_of_last_changes / static_cast<double>(results.loads.size());
   s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);
-  s.fastest_floe = fastest(results.frames);
-  s.energy = energy_balance(results.loads);
   return s;
 }
 

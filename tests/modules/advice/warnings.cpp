@@ -65,12 +65,14 @@ BOOST_AUTO_TEST_CASE(a_hull_whose_bottom_still_fills_warns) {
   const auto warns_where_it_grows_to = [](double covered) {
     simulation::RunSummary summary;
     summary.window = {.from = 10.0, .until = 50.0};
-    std::vector<model::LoadRow> rows(60);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].time = static_cast<double>(i + 1);
-      rows[i].regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered = i < 30 ? 0.2 : covered;
+    simulation::LoadsSeen loads(summary.window);
+    for (int second = 1; second <= 60; ++second) {
+      model::LoadRow row;
+      row.time = second;
+      row.regions[static_cast<std::size_t>(model::HullRegion::kBottom)].covered = second <= 30 ? 0.2 : covered;
+      loads.add(row);
     }
-    return has(advice::warnings_of(summary, rows, {}), "filling-hull");
+    return has(advice::warnings_of(summary, loads, {}), "filling-hull");
   };
   BOOST_TEST(warns_where_it_grows_to(0.26));
   BOOST_TEST(!warns_where_it_grows_to(0.24));

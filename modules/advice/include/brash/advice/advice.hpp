@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "brash/model/warning.hpp"
@@ -18,7 +17,7 @@ std::vector<model::Warning> warnings_of(const model::Case& resolved);
 /// Warnings about a result: no load or no break at all, too few independent samples of the load, a mean of another
 /// order of magnitude than the reference, or contacts that are not settled. docs/reference/warnings.md
 /// @param loads  of all steps of the run.
-std::vector<model::Warning> warnings_of(const simulation::RunSummary& summary, std::span<const model::LoadRow> loads,
+std::vector<model::Warning> warnings_of(const simulation::RunSummary& summary, const simulation::LoadsSeen& loads,
                                         const model::ReferenceSection& reference);
 
 /// simulation::run(), and the summary of a run that is whole has the warnings about its case and its result.

@@ -20,4 +20,12 @@ void write_checkpoint(const std::string& path, const model::Case& resolved, cons
 /// @throws InputError naming the file and its fault.
 model::Checkpoint read_checkpoint(const std::string& path);
 
+/// Writes the rows of `rows` to a file of their own, beside a checkpoint that names it.
+/// @return the digest of the file. @throws RunError as write_checkpoint().
+std::string write_earlier_rows(const std::string& path, const model::RunResults& rows);
+
+/// Reads the file of write_earlier_rows() back.
+/// @throws InputError as read_checkpoint(), and for a file with another digest.
+model::RunResults read_earlier_rows(const std::string& path, const std::string& digest);
+
 }  // namespace brash::io

@@ -200,13 +200,17 @@ struct Columns<model::LoadRow> {
   }
 };
 
+constexpr bool is_nowhere(std::string_view) { return false; }
+
 /// As Columns<Row>::visit, without the optional columns that no row uses.
-template <typename Row, typename Visit>
-void visit_used(const std::vector<Row>& rows, Visit&& visit) {
+/// @param is_before  whether a row before these uses the column of a name.
+template <typename Row, typename Visit, typename IsBefore = bool (*)(std::string_view)>
+void visit_used(const std::vector<Row>& rows, Visit&& visit, const IsBefore& is_before = &is_nowhere) {
   Columns<Row>::visit([&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
     if constexpr (requires { Columns<Row>::is_optional(name); }) {
       const auto is_used = [&](const Row& row) { return member(row) != 0; };
-      if (Columns<Row>::is_optional(name) && std::none_of(rows.begin(), rows.end(), is_used)) return;
+      if (Columns<Row>::is_optional(name) && !is_before(name) && std::none_of(rows.begin(), rows.end(), is_used))
+        return;
     }
     visit(name, unit, meaning, member);
   });

@@ -12,12 +12,15 @@
 namespace brash::io {
 
 /// Writes run.nc (netCDF-4, CF), history.csv and events.csv into `directory`, each by rename when whole.
+/// @param earlier  files of write_earlier_rows() with the rows before those of `results`, oldest first.
 /// @throws RunError naming the file and the system's reason.
-void write_results(const std::string& directory, const model::Case& resolved, const model::RunResults& results);
+void write_results(const std::string& directory, const model::Case& resolved, const model::RunResults& results,
+                   const std::vector<std::string>& earlier = {});
 
 /// Writes history.csv alone.
 /// @throws StorageError naming the file and the system's reason.
-void write_history(const std::string& directory, const model::RunResults& results);
+void write_history(const std::string& directory, const model::RunResults& results,
+                   const std::vector<std::string>& earlier = {});
 
 /// Reads the results that write_results wrote into run.nc.
 /// @throws InputError naming the file and the missing part, or the value that cannot have come from a run.

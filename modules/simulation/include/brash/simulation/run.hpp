@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -55,6 +57,27 @@ struct StatisticsWindow {
   std::string ends{};    ///< why it ends there
 };
 
+/// The loads of a run, as far as the warnings about its result need them.
+class LoadsSeen {
+ public:
+  explicit LoadsSeen(const StatisticsWindow& window) : from_(window.from), until_(window.until) {}
+
+  /// Adds the loads of the next step.
+  void add(const model::LoadRow& row);
+
+  std::size_t n_steps() const { return n_steps_; }
+  /// When the ice last loaded the structure [s].
+  std::optional<double> last_load() const { return last_load_; }
+  /// Share of the hull's bottom that floes cover, mean over each half of the window [-]; NaN: no row is in it.
+  std::array<double, 2> covered() const { return {sums_[0] / rows_[0], sums_[1] / rows_[1]}; }
+
+ private:
+  double from_, until_;
+  std::size_t n_steps_ = 0;
+  std::optional<double> last_load_{};
+  std::array<double, 2> sums_{}, rows_{};
+};
+
 /// The summary of a run. Everything here but the program follows from the case and its seed.
 struct RunSummary {
   model::Origin origin;            ///< preset and program; empty until the summary is recorded
@@ -101,8 +124,10 @@ struct RunSummary {
 
 /// A finished run: results as written, their summary, and where the wall time went.
 struct Run {
-  model::RunResults results;
+  model::RunResults results;           ///< without the loads, frames and cracked sheets of `earlier`
+  std::vector<std::string> earlier{};  ///< files with these, as of CheckpointStore::earlier, oldest first
   RunSummary summary;
+  LoadsSeen loads_seen{StatisticsWindow{}};  ///< of a complete run: all steps, those of `earlier` too
   StageTimes stage_times;
   double wall_seconds = 0.0;
   int threads = 1;            ///< that worked at it
@@ -116,6 +141,12 @@ struct CheckpointStore {
   std::string name{};                                          ///< in messages: a file
   std::function<void(const model::Checkpoint&)> keep{};        ///< replaces the state kept before
   std::function<std::optional<model::Checkpoint>()> newest{};  ///< to continue from; nothing: start at 0 s
+  /// Writes loads, frames and cracked sheets to a file, beside the state: the results of a long run would fill the
+  /// memory. Without it they stay in memory.
+  std::function<void(const model::RunResults&)> keep_earlier{};
+  /// These files, oldest first.
+  std::function<std::vector<std::string>()> earlier{};
+  std::function<model::RunResults(const std::string& file)> read_earlier{};
 };
 
 /// Adds a warning to a state. A run that continues from there has the warning too, and so have its own states.
@@ -133,6 +164,8 @@ struct RunOptions {
   std::function<bool()> interrupted{};
   /// Threads that share out the loops over floes and contacts, >= 1. Results do not depend on their number.
   int threads = 1;
+  /// Loads, frames and cracked sheets that are in memory before they go to a file, where there is a store for them.
+  std::size_t most_bytes_in_memory = std::size_t{32} << 20;
 };
 
 /// Runs `resolved` to its end, or to where it is interrupted.
