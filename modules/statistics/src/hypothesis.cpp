@@ -390,8 +390,8 @@ TestResult mann_whitney(std::span<const double> a, std::span<const double> b) {
   double u = 0.0;
   for (const double x : a) {
     look_for_interruption();
-    const auto equal = std::ranges::equal_range(sorted, x);
-    u += static_cast<double>(equal.begin() - sorted.begin()) + 0.5 * static_cast<double>(equal.size());
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), x);
+    u += static_cast<double>(first - sorted.begin()) + 0.5 * static_cast<double>(last - first);
   }
   std::vector<double> all(a.begin(), a.end());
   all.insert(all.end(), b.begin(), b.end());
