@@ -170,6 +170,10 @@ class Design(unittest.TestCase):
         picture = self.folder / "design.svg"
         self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "--extrapolate", "-o", picture)
         self.assertIn("level of an annual probability", picture.read_text())
+        # Each state has a panel of its own, on common axes.
+        for name in SETTINGS:
+            self.assertEqual(picture.read_text().count(f">{name}</text>"), 1)
+        self.assertEqual(picture.read_text().count(">exposure [h]</text>"), len(SETTINGS))
 
     def test_the_picture_has_no_level_that_the_text_refuses(self):
         picture = self.folder / "refused.svg"
@@ -185,7 +189,7 @@ class Design(unittest.TestCase):
         self.design("-o", picture)
         data = picture.read_bytes()
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">I", data[16:20]), (1000,))  # two pixels for one of the drawing
+        self.assertEqual(struct.unpack(">I", data[16:20]), (1340,))  # two pixels for one of the drawing
         self.assertEqual([file.name for file in self.folder.glob("*design.png*")], ["design.png"])
 
     def test_a_png_without_its_program_is_refused(self):
