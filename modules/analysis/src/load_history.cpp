@@ -228,8 +228,11 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   return std::move(read_histories(path, choice, {choice.column}).front());
 }
 
-std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
+std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& given,
                                         const std::vector<std::string>& columns) {
+  HistoryChoice choice = given;
+  // Statistics of a run have one rule, whoever says where they begin.
+  choice.after = choice.has_from && (choice.after || io::start_beside(path).has_value());
   if (std::isnan(choice.from))
     throw InputError(Complaint{path, fmt::format("--from {} is not a time", choice.from), "seconds", "give a number"});
   if (choice.to && std::isnan(*choice.to))

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "brash/analysis/campaign_histories.hpp"
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
@@ -214,6 +215,19 @@ BOOST_AUTO_TEST_CASE(the_date_of_a_history_is_kept) {
   const auto json = statistics_of(load, {});
   BOOST_TEST(json["start"] == "2024-02-01T12:00:00.3");
   BOOST_TEST(contains(statistics_text(json), "from t = 0.1 s after 2024-02-01T12:00:00.3"));
+}
+
+BOOST_AUTO_TEST_CASE(the_window_of_a_run_has_one_rule_whoever_says_where_it_begins) {
+  const std::string rows = "time,Fx\n0.1,1\n0.2,2\n0.3,3\n0.4,4\n0.5,5\n";
+  const TemporaryFile run(rows), summary(R"({"statistics_from": 0.2, "statistics_until": 0.5})", "summary.json"),
+      measured(rows, "measured.csv");
+  HistoryChoice of_summary, told;
+  begin_as_run(of_summary, run.path());
+  told.has_from = true;
+  told.from = 0.2;
+  BOOST_TEST(read_history(run.path(), of_summary).history.times.front() == 0.3);
+  BOOST_TEST(read_history(run.path(), told).history.times.front() == 0.3);
+  BOOST_TEST(read_history(measured.path(), told).history.times.front() == 0.2);
 }
 
 BOOST_AUTO_TEST_CASE(bad_files_are_refused_with_the_place) {

@@ -51,7 +51,7 @@ struct LoadHistory {
 struct HistoryChoice {
   std::string column;  ///< with or without its unit; empty: the first one that is not the time
   double dt = 0.0;     ///< [s], for files without times, which others refuse; 0: the file has them
-  double from = 0.0;   ///< leave out samples before this time [s]
+  double from = 0.0;   ///< leave out samples before this time [s]; of a run, whose steps end at them, also at it
   bool has_from = false;
   bool after = false;             ///< leave out a sample at `from` too, as a summary does
   std::optional<double> to{};     ///< leave out samples after this time [s]
