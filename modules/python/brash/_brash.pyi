@@ -16,6 +16,7 @@ Table = NDArray[np.void]
 Path = str | PathLike[str]
 # A Polygon, vertices with shape (n, 2), WKT or GeoJSON as text, or an object with __geo_interface__.
 PolygonLike = Any
+LineLike = Any
 
 __version__: str
 
@@ -218,7 +219,7 @@ class IceSheet:
     def n_vertices(self) -> int: ...
     def polygons(self) -> list[Polygon]: ...
     def contains(self, points: ArrayLike) -> bool | Bools: ...
-    def cut(self, region: PolygonLike, cracks: ArrayLike | None = None) -> Cut: ...
+    def cut(self, region: PolygonLike, cracks: LineLike | Sequence[LineLike] | ArrayLike | None = None) -> Cut: ...
     def cut_circumferential(
         self,
         centre: ArrayLike,

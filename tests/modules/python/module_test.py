@@ -65,7 +65,7 @@ def alike(value):
 
 class Stub(unittest.TestCase):
     def test_it_names_what_the_module_has(self):
-        helpers = {"Floats", "Bools", "Table", "Path", "PolygonLike", "HistoryLike", "Number"}
+        helpers = {"Floats", "Bools", "Table", "Path", "PolygonLike", "LineLike", "HistoryLike", "Number"}
         self.assertEqual(set(stubbed(STUB.body)) - helpers - {"__version__"}, set(PUBLIC))
 
     def test_its_arguments_are_the_module_s(self):
