@@ -2,8 +2,12 @@
 // The structure's course through the field, and the part of the run that its statistics cover.
 #include "statistics_window.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
@@ -90,6 +94,25 @@ double time_at(const model::Case& c, double x) {
   return c.time.duration;
 }
 
+/// When a ship's stern passes `x` where nothing resists it, if it does before the end of the run [s].
+std::optional<double> time_of_stern(const model::Case& c, double x) {
+  if (!std::holds_alternative<model::Ship>(c.structure.shape)) return std::nullopt;
+  constexpr int kSamples = 400;
+  const auto hull = structure::make_hull(c.structure);
+  const Freeboard heights = freeboard(c);
+  const auto stern_at = [&](double time) {
+    const Pose pose = structure::unresisted(c.structure, time);
+    return -structure::foremost(*hull, pose, heights.bottom, heights.top, {-1.0, 0.0}).reach;
+  };
+  if (const double speed = model::speed(c.structure.motion); speed > 0.0) {
+    const double time = std::max(0.0, (x - stern_at(0.0)) / speed);
+    return time < c.time.duration ? std::optional(time) : std::nullopt;
+  }
+  for (int i = 0; i < kSamples; ++i)
+    if (const double time = c.time.duration * i / kSamples; stern_at(time) >= x) return time;
+  return std::nullopt;
+}
+
 /// Time after so many steps [s].
 double whole_steps(const model::Case& c, double n) { return n * c.time.step; }
 
@@ -108,10 +131,17 @@ StatisticsWindow statistics_window(const model::Case& resolved, double initial_c
                           .until = whole_steps(resolved, std::round(resolved.time.duration / resolved.time.step)),
                           .begins = "the structure's axis passes the ice edge",
                           .ends = "the run is over"};
-  if (x > 0.0) window.begins = "the structure's axis has passed the last floe of the initial crack";
-  if (resolved.output.statistics_from) window.begins = "output.statistics_from says so";
   const Course course = course_of(resolved);
-  if (!leaves_ice(resolved, course) || course.leaves <= window.from) return window;
+  const bool leaves = leaves_ice(resolved, course);
+  std::optional<double> stern = resolved.output.statistics_from ? std::nullopt : time_of_stern(resolved, x);
+  if (stern && leaves && course.leaves <= *stern) stern.reset();  // the ice is shorter than the ship
+  if (stern) window.from = *stern;
+  if (stern) window.begins = "the ship's stern passes the ice edge: the whole hull is in the ice";
+  if (x > 0.0)
+    window.begins = fmt::format("the {} has passed the last floe of the initial crack",
+                                stern ? "ship's stern" : "structure's axis");
+  if (resolved.output.statistics_from) window.begins = "output.statistics_from says so";
+  if (!leaves || course.leaves <= window.from) return window;
   window.until = whole_steps(resolved, std::floor(course.leaves / resolved.time.step));
   window.ends = "the structure's bow leaves the ice at the far side";
   return window;
