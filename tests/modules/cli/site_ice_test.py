@@ -131,7 +131,7 @@ class Templates(unittest.TestCase):
         for kind, text in kinds.items():
             new = tomllib.loads(brash("new", "--kind", kind, "--ice", "baltic").stdout)
             self.assertEqual(tomllib.loads(text), {name: new[name] for name in ("structure", "hull", "field", "time") if name in new})
-        refusal = brash("new", "--kind", "cube", "--ice", "baltic").stderr
+        refusal = brash("new", "--kind", "cube", "--ice", "baltic", code=2).stderr
         self.assertEqual(set(kinds), set(re.findall(r'"([a-z-]+)"', refusal)))
 
     def test_the_cone_in_the_ice_of_the_basin_stays_the_validation_case(self):
