@@ -12,7 +12,7 @@ from . import _brash
 class History(tuple):
     """A pair (times, values) with a name, a unit and a start; every function that takes a history takes it.
 
-    times: rising, shape (n,) [s]; values: shape (n,), in SI if the unit is known; start: the date at which the times are 0.
+    times: rising, shape (n,) [s]; values: shape (n,), in SI if the unit is known; start: the date at which times are 0.
     """
 
     name: str
@@ -21,7 +21,8 @@ class History(tuple):
     def __new__(cls, times: Any, values: Any, name: str = "load", unit: str = "", start: str = "") -> History:
         pair = np.asarray(times, dtype=float), np.asarray(values, dtype=float)
         if pair[0].ndim != 1 or pair[0].shape != pair[1].shape:
-            raise _brash.InputError(f"History: times have shape {pair[0].shape} and values {pair[1].shape}; both must have shape (n,)")
+            shapes = f"times have shape {pair[0].shape} and values {pair[1].shape}"
+            raise _brash.InputError(f"History: {shapes}; both must have shape (n,)")
         history = super().__new__(cls, pair)
         history.name = name
         history.attrs = {key: text for key, text in (("units", unit), ("start", start)) if text}
