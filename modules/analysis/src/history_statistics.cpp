@@ -152,6 +152,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
   const double kurtosis = statistics::moments(load.history.values, load.even.weights).excess_kurtosis;
   ordered_json out{{"column", load.column},
                    {"unit", load.unit.empty() ? ordered_json() : ordered_json(load.unit)},
+                   {"start", load.start.empty() ? ordered_json() : ordered_json(load.start)},
                    {"from", load.history.times.front()},
                    {"dt", load.even.sampling.step},
                    {"n", s.n},
@@ -175,6 +176,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
   out["warnings"] = ordered_json::array();
   if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
     out["warnings"].push_back(gaps);
+  if (load.marker) out["warnings"].push_back(marker_warning(load.marker));
   const statistics::ExtremeAnalysis extremes = analysed(load, s.autocorrelation_time, settings.extremes);
   out["noise_floor"] = statistics::noise_floor(load.even.pieces(load.history));
   out["peaks"] = peaks_json(extremes.values);
@@ -187,9 +189,10 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
 std::string statistics_text(const ordered_json& s) {
   const auto value = [&](const char* key) { return s[key].get<double>(); };
   std::string text =
-      fmt::format("{}{}: {} samples every {:.6g} s, {:.6g} s from t = {:.6g} s\n", s["column"].get<std::string>(),
+      fmt::format("{}{}: {} samples every {:.6g} s, {:.6g} s from t = {:.6g} s{}\n", s["column"].get<std::string>(),
                   s["unit"].is_null() ? "" : fmt::format(" [{}]", printable(s["unit"].get<std::string>())),
-                  s["n"].get<std::size_t>(), value("dt"), value("duration"), value("from"));
+                  s["n"].get<std::size_t>(), value("dt"), value("duration"), value("from"),
+                  s["start"].is_null() ? "" : " after " + printable(s["start"].get<std::string>()));
   if (s.contains("statistics_from"))
     text += fmt::format(
         "  begins               at statistics_from = {:.6g} s of summary.json; --from 0 takes the whole history\n",

@@ -158,6 +158,7 @@ LoadHistory history_of(io::Series& series, const std::string& path, const std::s
   load.file = path;
   load.column = series.names[column];
   load.unit = series.units[column];
+  load.start = series.start;
   load.history.values = last && series.time != column ? std::move(series.columns[column]) : series.columns[column];
   load.history.times = last && series.time ? std::move(series.columns[*series.time]) : times_of(series, choice);
   keep_chosen(load, choice);
@@ -173,10 +174,46 @@ LoadHistory history_of(io::Series& series, const std::string& path, const std::s
                                               : "give a longer span of times"});
   }
   load.even = statistics::make_even(load.history, choice.longest_interval);
+  load.marker = missing_marker(load.history.values, series.factors[column]);
   return choice.negate ? negated(std::move(load)) : std::move(load);
 }
 
 }  // namespace
+
+std::optional<MissingMarker> missing_marker(std::span<const double> values, double factor) {
+  constexpr std::array<double, 13> kUsual{99.0,  999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.25,
+                                          999.9, 9999.9, 32767.0, 32768.0, 1e20,     1e30};
+  const auto is_near = [&](double value, double marker) {
+    return std::abs(value - factor * marker) <= 1e-12 * std::abs(value);  // the rounding of the factor
+  };
+  const auto [least, largest] = std::ranges::minmax(values);
+  for (const double end : {least, largest})
+    for (const double usual : kUsual) {
+      const double marker = std::copysign(usual, end);
+      if (!is_near(end, marker)) continue;
+      double low = INFINITY, high = -INFINITY;
+      std::size_t n = 0;
+      for (const double value : values) {
+        if (is_near(value, marker)) {
+          ++n;
+        } else {
+          low = std::min(low, value);
+          high = std::max(high, value);
+        }
+      }
+      const double apart = end == least ? low - end : end - high;
+      if (low < high && apart > 0.1 * (high - low)) return MissingMarker{marker, n};
+    }
+  return std::nullopt;
+}
+
+std::string marker_warning(const std::optional<MissingMarker>& marker) {
+  if (!marker) return "";
+  return fmt::format(
+      "{} {} {:g}, far from all others, as loggers write missing values: `--missing {:g}`, in Python missing=[{:g}], "
+      "leaves them out",
+      marker->n, marker->n == 1 ? "sample is" : "samples are", marker->value, marker->value, marker->value);
+}
 
 std::string history_file(const std::string& given) { return io::file_in(given, {"run.nc", "history.csv"}); }
 
@@ -191,14 +228,17 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   return std::move(read_histories(path, choice, {choice.column}).front());
 }
 
-std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
+std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& given,
                                         const std::vector<std::string>& columns) {
+  HistoryChoice choice = given;
+  // Statistics of a run have one rule, whoever says where they begin.
+  choice.after = choice.has_from && (choice.after || io::start_beside(path).has_value());
   if (std::isnan(choice.from))
     throw InputError(Complaint{path, fmt::format("--from {} is not a time", choice.from), "seconds", "give a number"});
   if (choice.to && std::isnan(*choice.to))
     throw InputError(Complaint{path, fmt::format("--to {} is not a time", *choice.to), "seconds", "give a number"});
   refuse_other_files(path);
-  io::Series series = io::read_series(path);
+  io::Series series = io::read_series(path, choice.missing);
   if (choice.notes)
     for (const std::string& note : series.notes) choice.notes(path + ": " + note);
   const std::vector<std::string> wanted = columns.empty() ? std::vector{choice.column} : columns;

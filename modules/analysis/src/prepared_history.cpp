@@ -57,8 +57,9 @@ LoadHistory prepared(const LoadHistory& load, const Preparation& preparation) {
         load.file, fmt::format("--low-pass {} Hz of samples every {:.6g} s", preparation.low_pass, old_step),
         fmt::format("below half of the sampling frequency, {:.6g} Hz", 0.5 / old_step), "give a lower frequency"});
   require_few_samples(load, step);
-  LoadHistory out{load.column, {}, {}, load.n_missing, load.unit, load.file, load.is_negated};
+  LoadHistory out{load.column, {}, {}, load.n_missing, load.unit, load.file, load.start, load.is_negated};
   out.warnings = load.warnings;
+  out.marker = load.marker;
   out.clipping = statistics::clipping(load.history, load.even);
   const statistics::Pieces pieces = load.even.pieces(load.history);
   for (std::size_t p = 0; p < pieces.size(); ++p) {

@@ -63,8 +63,8 @@ void note_doubts(const std::vector<LoadHistory>& loads) {
   const std::string name = loads.size() == 1 ? file : fmt::format("{} and {} more", file, loads.size() - 1);
   for (const std::string& warning : analysis::run_warnings(loads)) say("note: {}: {}\n", name, warning);
   for (const LoadHistory& load : loads)
-    if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
-      say("note: {}: {}\n", load.file, gaps);
+    for (const std::string& doubt : {statistics::gap_warning(load.history, load.even), marker_warning(load.marker)})
+      if (!doubt.empty()) say("note: {}: {}\n", load.file, doubt);
 }
 
 /// The histories of one side: of a file, of a run's folder, of one setting of a campaign.
@@ -158,6 +158,11 @@ void add_compare_command(CLI::App& app) {
       command->add_option("--measured-from", options->of_measured.from, "[s] [its start; of a run, as its summary]");
   command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
       ->check(time_span());
+  command
+      ->add_option("--missing", options->of_measured.missing,
+                   "value that stands for a missing one in the measurement, in its unit")
+      ->take_all()
+      ->allow_extra_args(false);
   command
       ->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is not a gap")
       ->check(time_span());

@@ -12,11 +12,11 @@
 #include "brash/core/write_file.hpp"
 #include "brash/formats/gltf.hpp"
 #include "brash/formats/maps.hpp"
-#include "brash/formats/openfast.hpp"
 #include "brash/formats/vtk.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
+#include "export_openfast.hpp"
 #include "fmu.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
@@ -56,25 +56,6 @@ void export_map(const std::string& run_file, const std::string& file, double tim
     say("note: {}: names no coordinate reference system, so programs for maps take its metres for degrees; --crs "
         "EPSG:CODE names one\n",
         file);
-}
-
-void export_openfast(const std::string& run_file, const std::string& directory,
-                     const formats::OpenFastOptions& options) {
-  const model::RunResults results = io::read_results(run_file);
-  const double end = results.loads.empty() ? 0.0 : results.loads.back().time;
-  if (!(options.from < end))
-    throw InputError(Complaint{fmt::format("--from={}", options.from), "leaves nothing of the load history",
-                               fmt::format("less than the end of the run, {} s", end), "lower it"});
-  const double duration = end - options.from;
-  if (!(options.ramp < duration))
-    throw InputError(Complaint{fmt::format("--ramp={}", options.ramp), "leaves no time of the full load",
-                               fmt::format("less than the {} s of load", duration), "lower it"});
-  const std::string forces = "ice_forces.dat", control = "ice_StC.dat";
-  write_file((fs::path(directory) / forces).string(), formats::to_openfast_forces(results.loads, options));
-  write_file((fs::path(directory) / control).string(), formats::to_openfast_structural_control(forces, options));
-  print("{:.9g} s of load in {}\n", duration, (fs::path(directory) / forces).string());
-  print("TMax of OpenFAST: at most {:.9g} s, since the load is zero after that\n", duration);
-  print("structural control in {}\n", (fs::path(directory) / control).string());
 }
 
 std::string run_file(const std::string& given) { return io::file_in(given, {"run.nc"}); }
@@ -150,8 +131,6 @@ void add_export_command(CLI::App& app) {
   struct Options {
     std::string run;
     std::string directory;
-    std::vector<double> point{0.0, 0.0, 0.0};
-    formats::OpenFastOptions openfast;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a run for other programs");
@@ -165,33 +144,7 @@ void add_export_command(CLI::App& app) {
     const std::string run = run_file(options->run);
     export_vtk(run, or_beside(run, options->directory, "vtk"));
   });
-  CLI::App* openfast = command->add_subcommand("openfast", "The ice load as a prescribed force for OpenFAST");
-  openfast->add_option("run", options->run, "folder of a run, or its run.nc")->required();
-  openfast->add_option("-o,--output", options->directory, "folder of the files [openfast beside the run.nc]");
-  openfast
-      ->add_option("--point", options->point,
-                   "where it acts, x,y,z in m from the structure's origin in the waterplane; x as the ice drifts")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(CLI::Range(-1e4, 1e4));
-  openfast
-      ->add_option(
-          "--reference", options->openfast.reference,
-          "height above the still water from which StC_P_Z counts: ElastoDyn's PtfmRefzt for the substructure, "
-          "TowerBsHt for the tower [m] [0]")
-      ->check(CLI::Range(-1e4, 1e4));
-  openfast->add_option("--openfast", options->openfast.version, "version of OpenFAST, 4 or 5 [5]")
-      ->check(CLI::IsMember({4, 5}));
-  openfast->add_option("--from", options->openfast.from, "time of the run that becomes 0 s")
-      ->check(CLI::Range(0.0, 1e9));
-  openfast->add_option("--ramp", options->openfast.ramp, "time in which the load grows from zero at the start [s] [0]")
-      ->check(CLI::Range(0.0, 1e9));
-  openfast->footer("Example: brash export openfast results/cone -o results/openfast --from 6 --ramp 2");
-  openfast->callback([options] {
-    options->openfast.point = {options->point[0], options->point[1], options->point[2]};
-    const std::string run = run_file(options->run);
-    export_openfast(run, or_beside(run, options->directory, "openfast"), options->openfast);
-  });
+  add_openfast_command(*command);
   add_gltf_command(*command);
   add_map_command(*command);
   add_fmu_command(*command);

@@ -143,6 +143,11 @@ void add_reading_options(CLI::App& command, StatsOptions& o) {
   command.add_option("--dt", o.choice.dt, "time step of files without times [s]")->check(time_span());
   command.add_option("--gap", o.choice.longest_interval, "longest step that is not a gap [s] [5 x the median step]")
       ->check(time_span());
+  command
+      .add_option("--missing", o.choice.missing,
+                  "value that stands for a missing one, in the file's unit, such as -9999")
+      ->take_all()
+      ->allow_extra_args(false);
   command.add_option("--resample", o.preparation.step, "new time step [s]")->check(time_span());
   CLI::Option* low_pass =
       command.add_option("--low-pass", o.preparation.low_pass, "cut-off of Butterworth's filter [Hz]")

@@ -3,6 +3,7 @@
 #include "brash/formats/openfast.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -56,11 +57,32 @@ std::string force_row(double time, Vec3 f, Vec3 m) {
 
 }  // namespace
 
+JoinedLoads joined(const std::vector<std::vector<model::LoadRow>>& replicates, double duration) {
+  JoinedLoads all;
+  double next = 0.0;
+  for (const std::vector<model::LoadRow>& rows : replicates) {
+    if (next >= duration) break;
+    if (!all.loads.empty()) all.joints.push_back(next);
+    ++all.n_used;
+    const double begin = next - rows.front().time, step = rows[1].time - rows[0].time;
+    for (model::LoadRow row : rows) {
+      row.time += begin;
+      if (row.time > duration + 1e-3 * step) return all;
+      next = row.time + step;
+      all.loads.push_back(row);
+    }
+  }
+  return all;
+}
+
 std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options) {
   std::string text = "# Ice load of a brash run on its structure, for OpenFAST's structural control\n";
   text += "# X points as the ice drifts, Z upwards; moments about the point of application\n";
   text += fmt::format("# point from the structure's origin in the waterplane: {} {} {} m\n", options.point.x,
                       options.point.y, options.point.z);
+  if (!options.joints.empty())
+    text += fmt::format("# {} replicates of one state of the ice: the load jumps from one to the next at {:.9g} s\n",
+                        options.joints.size() + 1, fmt::join(options.joints, ", "));
   text += "# time FX FY FZ MX MY MZ\n# (s) (N) (N) (N) (N-m) (N-m) (N-m)\n";
   double time = 0.0, step = 0.0;
   for (const model::LoadRow& row : loads) {

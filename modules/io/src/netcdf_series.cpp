@@ -131,7 +131,7 @@ const OpenFile::Variable* times_of(const OpenFile& file, const std::vector<OpenF
 
 }  // namespace
 
-Series read_netcdf_series(const std::string& path) {
+Series read_netcdf_series(const std::string& path, const std::vector<double>& missing) {
   const OpenFile file(path);
   const std::vector<OpenFile::Variable> variables = file.variables();
   const OpenFile::Variable* const times = times_of(file, variables);
@@ -161,6 +161,9 @@ Series read_netcdf_series(const std::string& path) {
     column[i] *= factor;
   }
   series.units[*series.time] = "s";
+  if (const std::string unit = file.text(*times, "units"); unit.find(" since ") != std::string::npos)
+    series.start = unit.substr(unit.find(" since ") + 7);
+  leave_out(series, missing);
   convert_to_si(series);
   return series;
 }

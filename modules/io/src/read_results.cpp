@@ -2,12 +2,15 @@
 // Results come from others too: values that cannot have come from a run are refused before anyone works with them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <type_traits>
 
+#include "brash/core/error.hpp"
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
+#include "brash/io/series.hpp"
 #include "result_tables.hpp"
 
 namespace brash::io {
@@ -89,7 +92,35 @@ class Check {
   const NetcdfReader& file_;
 };
 
+/// The rows of a history.csv.
+std::vector<model::LoadRow> rows_of_history(const std::string& path) {
+  using LoadColumns = Columns<model::LoadRow>;
+  const Series series = read_series(path);
+  std::vector<model::LoadRow> rows(series.rows.size());
+  LoadColumns::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+    const auto found = std::ranges::find(series.names, name);
+    if (found == series.names.end()) {
+      if (LoadColumns::is_optional(name)) return;
+      throw InputError(Complaint{path, fmt::format("has no column '{}'", name), "the history.csv of a run",
+                                 "give the folder of a run, or the history.csv that it wrote"});
+    }
+    const std::vector<double>& values = series.columns[static_cast<std::size_t>(found - series.names.begin())];
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (!std::isfinite(values[row]))
+        throw InputError(Complaint{series.place(row), fmt::format("column '{}' has no value", name),
+                                   "the history.csv of a run, which has each value", "run the case again"});
+      auto& value = member(rows[row]);
+      value = static_cast<std::remove_reference_t<decltype(value)>>(values[row]);
+    }
+  });
+  return rows;
+}
+
 }  // namespace
+
+std::vector<model::LoadRow> read_loads(const std::string& path) {
+  return path.ends_with(".nc") ? read_results(path).loads : rows_of_history(path);
+}
 
 std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
 

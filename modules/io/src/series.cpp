@@ -173,15 +173,34 @@ bool take_units(Series& series, const std::vector<std::string_view>& cells, cons
 
 /// Times that are written as dates: seconds after the first date.
 struct Dates {
-  std::optional<double> first;
+  std::optional<Instant> first;
+  std::string text{};  ///< of the first, as it is written
 
   std::optional<double> seconds(std::string_view cell, bool is_first_row) {
-    const std::optional<double> time = iso_time(cell);
-    if (time && is_first_row) first = time;
+    const std::optional<Instant> time = iso_time(cell);
+    if (time && is_first_row) {
+      first = time;
+      text = cell;
+    }
     if (!time || !first) return std::nullopt;
-    return *time - *first;
+    return time->since(*first);
   }
 };
+
+/// Whether a cell in the place of a time is a date or a clock's time in another form than iso_time() reads.
+bool is_like_a_date(std::string_view cell) {
+  const auto has_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  return !cell.empty() && has_digit(cell.front()) && cell.find_first_of(".-/:") != std::string_view::npos &&
+         std::ranges::count_if(cell, has_digit) >= 4;
+}
+
+[[noreturn]] void refuse_date(const std::string& place, const std::string& cell) {
+  throw InputError(
+      Complaint{place, fmt::format("'{}' is not a time that is read", printable(cell)),
+                "seconds, or dates with the year first: 2024-02-01T12:00:00.5 (ISO 8601; a blank for the T, "
+                "and Z or +01:00 behind, are allowed)",
+                "write the dates so, or the seconds since the first one"});
+}
 
 void add_row(Series& series, const std::vector<std::string_view>& cells, std::size_t line, Layout& layout,
              Dates& dates) {
@@ -195,6 +214,7 @@ void add_row(Series& series, const std::vector<std::string_view>& cells, std::si
   for (std::size_t i = 0; i < cells.size(); ++i) {
     std::optional<double> value = number(cells[i], layout);
     if (!value && times == i) value = dates.seconds(cells[i], series.rows.size() == 1);
+    if (!value && times == i && is_like_a_date(cells[i])) refuse_date(place(), std::string(cells[i]));
     if (!value)
       throw InputError(
           Complaint{place(),
@@ -216,7 +236,10 @@ void find_times(Series& series, const std::string& path, bool named, const Dates
     series.time.reset();
     return;
   }
-  if (dates.first) unit = "s";
+  if (dates.first) {
+    unit = "s";
+    series.start = dates.text;
+  }
   const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, printable(series.heads[*series.time])));
   unit = "s";
   std::vector<double>& times = series.columns[*series.time];
@@ -284,7 +307,8 @@ std::size_t line_of_names(const std::vector<NumberedLine>& lines) {
 class TextSeries {
  public:
   /// The text output of OpenFAST has a preamble without a mark before the names, of which Time is the first.
-  explicit TextSeries(const std::string& path) : path_(path), preamble_(path.ends_with(".out")) {
+  TextSeries(const std::string& path, const std::vector<double>& missing)
+      : path_(path), missing_(missing), preamble_(path.ends_with(".out")) {
     series_.row_prefix = path + ":";
   }
 
@@ -309,6 +333,7 @@ class TextSeries {
       series_.notes.push_back(
           fmt::format("line {} is not a row and was left out: {}", remark_->number, printable(remark_->text)));
     find_times(series_, path_, named_, dates_);
+    leave_out(series_, missing_);
     convert_to_si(series_);
     return std::move(series_);
   }
@@ -352,6 +377,7 @@ class TextSeries {
   }
 
   std::string path_;
+  std::vector<double> missing_;
   Series series_;
   std::optional<Layout> layout_;
   Dates dates_;
@@ -377,8 +403,8 @@ void refuse_binary(const std::string& path) {
       throw InputError(Complaint{path, fmt::format("is {}", name), "a history as text or netCDF", remedy});
 }
 
-Series read_text_series(const std::string& path) {
-  TextSeries series(path);
+Series read_text_series(const std::string& path, const std::vector<double>& missing) {
+  TextSeries series(path, missing);
   for_each_line(path, "a history (CSV)", [&](std::string_view line) { series.take(line); });
   return std::move(series).finished();
 }
@@ -406,7 +432,16 @@ bool is_time_name(std::string_view name) {
   return lower == "time" || lower == "t";
 }
 
+void leave_out(Series& series, const std::vector<double>& missing) {
+  if (missing.empty()) return;
+  for (std::size_t i = 0; i < series.columns.size(); ++i)
+    if (series.time != i)
+      for (double& value : series.columns[i])
+        if (std::ranges::find(missing, value) != missing.end()) value = kMissing;
+}
+
 void convert_to_si(Series& series) {
+  series.factors.assign(series.units.size(), 1.0);
   for (std::size_t i = 0; i < series.units.size(); ++i) {
     if (series.units[i].empty() || series.time == i) continue;
     for (const char* const si : {"N", "N m", "Pa", "m", "m s-1", "m s-2", "rad"}) {
@@ -415,6 +450,7 @@ void convert_to_si(Series& series) {
       if (*factor == 1.0) break;  // as it is written: N m and J are the same
       for (double& value : series.columns[i]) value *= *factor;
       series.units[i] = si;
+      series.factors[i] = *factor;
       break;
     }
   }
@@ -430,9 +466,9 @@ double seconds_in(const std::string& unit, const std::string& place) {
   return *seconds;
 }
 
-Series read_series(const std::string& path) {
+Series read_series(const std::string& path, const std::vector<double>& missing) {
   refuse_binary(path);
-  return path.ends_with(".nc") ? read_netcdf_series(path) : read_text_series(path);
+  return path.ends_with(".nc") ? read_netcdf_series(path, missing) : read_text_series(path, missing);
 }
 
 }  // namespace brash::io

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "brash/io/series.hpp"
 
@@ -18,6 +19,9 @@ void convert_to_si(Series& series);
 /// @throws InputError, always: the row at `place` has no time.
 [[noreturn]] void refuse_missing_time(const std::string& place);
 
-Series read_netcdf_series(const std::string& path);
+/// Makes each value of a column, but of the times, missing that is one of these.
+void leave_out(Series& series, const std::vector<double>& missing);
+
+Series read_netcdf_series(const std::string& path, const std::vector<double>& missing);
 
 }  // namespace brash::io

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 
 namespace brash::io {
 namespace {
@@ -41,31 +42,31 @@ bool take(std::string_view& text, std::string_view any_of) {
 }
 
 /// Seconds and their fraction; nothing is 0.
-std::optional<double> take_seconds(std::string_view& text) {
-  if (!take(text, ":")) return 0.0;
+std::optional<Instant> take_seconds(std::string_view& text) {
+  if (!take(text, ":")) return Instant{};
   const auto whole = take_digits(text, 2);
   if (!whole || *whole > 60) return std::nullopt;
-  double fraction = 0.0;
+  Instant seconds{*whole, 0.0};
   if (take(text, ".,")) {
     double scale = 0.1;
     for (; !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0; text.remove_prefix(1)) {
-      fraction += scale * (text.front() - '0');
+      seconds.fraction += scale * (text.front() - '0');
       scale *= 0.1;
     }
   }
-  return *whole + fraction;
+  return seconds;
 }
 
 /// Offset of a time ahead of Greenwich [s]; no offset or Z is 0.
-std::optional<double> take_zone(std::string_view& text) {
-  if (take(text, "Z") || text.empty()) return 0.0;
-  const double sign = text.front() == '-' ? -1.0 : 1.0;
+std::optional<int> take_zone(std::string_view& text) {
+  if (take(text, "Z") || text.empty()) return 0;
+  const int sign = text.front() == '-' ? -1 : 1;
   if (!take(text, "+-")) return std::nullopt;
   const auto hours = take_digits(text, 2);
   static_cast<void>(take(text, ":"));
   const auto minutes = text.empty() ? std::optional(0) : take_digits(text, 2);
   if (!hours || !minutes || *hours > 14 || *minutes > 59) return std::nullopt;
-  return sign * (3600.0 * *hours + 60.0 * *minutes);
+  return sign * (3600 * *hours + 60 * *minutes);
 }
 
 /// How UDUNITS writes the unit in the end of a name, such as `kN` or `N/mm2`; nothing when it is none.
@@ -115,7 +116,15 @@ bool is_text_time_name(std::string_view name) {
   return std::ranges::find(kNames, lower) != kNames.end();
 }
 
-std::optional<double> iso_time(std::string_view cell) {
+double Instant::since(const Instant& other) const {
+  constexpr std::int64_t kCentury = 3'155'760'000;  // nanoseconds of more do not fit
+  const std::int64_t whole = seconds - other.seconds;
+  const double parts = fraction - other.fraction;
+  if (std::abs(whole) > kCentury) return static_cast<double>(whole) + parts;
+  return static_cast<double>(1'000'000'000 * whole + std::llround(1e9 * parts)) / 1e9;
+}
+
+std::optional<Instant> iso_time(std::string_view cell) {
   const auto year = take_digits(cell, 4);
   if (!year || !take(cell, "-")) return std::nullopt;
   const auto month = take_digits(cell, 2);
@@ -131,8 +140,8 @@ std::optional<double> iso_time(std::string_view cell) {
   const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
   if (!zone || !cell.empty() || !date.ok()) return std::nullopt;
-  const double days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
-  return 86400.0 * days + 3600.0 * *hour + 60.0 * *minute + *seconds - *zone;
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
+  return Instant{86400 * days + 3600 * *hour + 60 * *minute + seconds->seconds - *zone, seconds->fraction};
 }
 
 }  // namespace brash::io

@@ -6,6 +6,7 @@ try:
 
     from ._brash import *  # noqa: F401,F403
     from ._brash import __version__  # noqa: F401
+    from .history import History  # noqa: F401
 except ModuleNotFoundError as _error:
     import sys as _sys
 

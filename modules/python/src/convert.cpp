@@ -34,6 +34,16 @@ void expect_real(const py::array& array, const char* name) {
   if (kind == 'U' || kind == 'S') refuse("texts", "convert them with numpy.asarray(..., dtype=float)");
 }
 
+/// The coordinates of a point, several points or a line with __geo_interface__, such as shapely's; else the value.
+py::object coordinates_of(py::handle value) {
+  if (py::hasattr(value, "__geo_interface__")) {
+    const py::dict geometry = value.attr("__geo_interface__");
+    const std::string type = geometry.contains("type") ? std::string(py::str(geometry["type"])) : "";
+    if (type == "Point" || type == "MultiPoint" || type == "LineString") return geometry["coordinates"];
+  }
+  return py::reinterpret_borrow<py::object>(value);
+}
+
 }  // namespace
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
@@ -68,7 +78,7 @@ Array samples(py::handle value, const char* name) {
 std::span<const double> span_of(const Array& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
 
 std::vector<Vec2> points(py::handle value, const char* name) {
-  const Array array = numbers(value, name);
+  const Array array = numbers(coordinates_of(value), name);
   if (array.ndim() != 2 || array.shape(1) != 2)
     throw InputError(fmt::format("{}: has shape {}, must have shape (n, 2)", name, shape_text(array)));
   std::vector<Vec2> result;
@@ -80,7 +90,7 @@ std::vector<Vec2> points(py::handle value, const char* name) {
 }
 
 Vec2 point(py::handle value, const char* name) {
-  const Array array = numbers(value, name);
+  const Array array = numbers(coordinates_of(value), name);
   if (array.ndim() != 1 || array.shape(0) != 2)
     throw InputError(fmt::format("{}: has shape {}, must have shape (2,)", name, shape_text(array)));
   const Vec2 result{array.at(0), array.at(1)};

@@ -46,9 +46,10 @@ Array numbers(py::handle value, const char* name);
 Array samples(py::handle value, const char* name);
 std::span<const double> span_of(const Array& array);
 
-/// shape=(n, 2), finite and on the grid's range [m]. @throws InputError naming argument and row.
+/// shape=(n, 2), finite and on the grid's range [m], or points or a line with __geo_interface__.
+/// @throws InputError naming argument and row.
 std::vector<Vec2> points(py::handle value, const char* name);
-/// The same for shape=(2,).
+/// The same for shape=(2,), or a point.
 Vec2 point(py::handle value, const char* name);
 
 py::array_t<double> to_array(std::span<const double> values);

@@ -79,15 +79,8 @@ double expect_radius(double radius, Vec2 centre, const char* name, double least 
 
 Cut cut(SharedSheet& sheet, const py::object& region, const py::object& cracks) {
   const geometry::Ring ring = to_ring(region, "region");
-  std::vector<geometry::Crack> lines;
-  if (!cracks.is_none()) {
-    const Array array = numbers(cracks, "cracks");
-    if (array.ndim() != 3 || array.shape(1) != 2 || array.shape(2) != 2)
-      throw InputError(fmt::format("cracks: has shape {}, must have shape (n, 2, 2)", shape_text(array)));
-    const std::vector<Vec2> ends = points(array.attr("reshape")(-1, 2), "cracks");
-    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-      lines.push_back({geometry::snap(ends[i]), geometry::snap(ends[i + 1])});
-  }
+  const std::vector<geometry::Crack> lines =
+      cracks.is_none() ? std::vector<geometry::Crack>{} : to_cracks(cracks, "cracks");
   expect_unread(sheet);
   return sheet.cut(ring, lines);
 }
@@ -365,9 +358,11 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
       .def_property_readonly("n_vertices", &IceSheet::n_vertices)
       .def("polygons", &IceSheet::polygons, "The connected parts with their holes.")
       .def("contains", &contains, py::arg("points"), "shape (2,) -> bool; shape (n, 2) -> shape (n,).")
-      .def("cut", &cut, py::arg("region"), py::arg("cracks") = py::none(),
-           "Takes the ice inside `region` (one simple polygon) out and splits it along `cracks`, shape (n, 2, 2): the "
-           "two ends of each [m]. A region around the sheet takes all of it.")
+      .def(
+          "cut", &cut, py::arg("region"), py::arg("cracks") = py::none(),
+          "Takes the ice inside `region` (one simple polygon) out and splits it along `cracks` [m]: the two ends of "
+          "each, shape (n, 2, 2), or lines as WKT, GeoJSON, vertices or geometries, one or a sequence. A region around "
+          "the sheet takes all of it.")
       .def("cut_circumferential", &cut_circumferential, py::arg("centre"), py::arg("radius"), py::arg("wedges") = 4,
            py::arg("angles") = py::none(), py::arg("sides") = 16,
            "Breaks the ice within `radius` [m] of `centre`, shape (2,), free and divides it by radial cracks: evenly "

@@ -15,6 +15,7 @@
 #include "brash/io/series.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/rainflow.hpp"
+#include "brash/statistics/spectrum.hpp"
 #include "convert.hpp"
 #include "notes.hpp"
 #include "rooms.hpp"
@@ -49,14 +50,14 @@ py::object seconds(const py::object& times) {
   if (numpy.attr("isnat")(array).attr("any")().cast<bool>())
     throw InputError("times: a date is missing (NaT); leave such rows out, as with history[history.index.notna()]");
   if (py::len(array) == 0) return numpy.attr("zeros")(0);
-  return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") * py::float_(1e-9);
+  return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") / py::float_(1e9);
 }
 
-/// The unit that a history or its times state, as attrs["units"]; empty: none.
-std::string unit_of(const py::object& labelled) {
+/// A text among the attributes of a history or its times, such as attrs["units"]; empty: none.
+std::string attribute_of(const py::object& labelled, const char* name) {
   if (!py::hasattr(labelled, "attrs") || !py::isinstance<py::dict>(labelled.attr("attrs"))) return "";
-  const py::object units = labelled.attr("attrs").attr("get")("units");
-  return py::isinstance<py::str>(units) ? units.cast<std::string>() : "";
+  const py::object value = labelled.attr("attrs").attr("get")(name);
+  return py::isinstance<py::str>(value) ? value.cast<std::string>() : "";
 }
 
 /// Numbers of rows are not times: whole numbers are taken as seconds only from an index that has a name.
@@ -72,7 +73,7 @@ void expect_times(const py::object& index) {
 std::pair<py::object, py::object> times_and_values(const py::object& history) {
   if (py::hasattr(history, "coords") && py::hasattr(history, "dims")) {
     const py::object along = history.attr("coords")[history.attr("dims")[py::int_(0)]];
-    const double factor = io::seconds_in(unit_of(along), "history, units of the times");
+    const double factor = io::seconds_in(attribute_of(along, "units"), "history, units of the times");
     const py::object times = seconds(along.attr("values"));
     return {factor == 1.0 ? times : times * py::float_(factor), history.attr("values")};
   }
@@ -104,7 +105,8 @@ LoadHistory load_of(const py::object& history) {
   load.column = py::hasattr(history, "name") && !history.attr("name").is_none()
                     ? py::str(history.attr("name")).cast<std::string>()
                     : "load";
-  load.unit = unit_of(history);
+  load.unit = attribute_of(history, "units");
+  load.start = attribute_of(history, "start");
   for (py::ssize_t i = 0; i < t.size(); ++i) {
     if (std::isnan(x.data()[i])) {
       ++load.n_missing;
@@ -114,6 +116,7 @@ LoadHistory load_of(const py::object& history) {
     load.history.values.push_back(x.data()[i]);
   }
   load.even = statistics::make_even(load.history);
+  load.marker = analysis::missing_marker(load.history.values, 1.0);
   return load;
 }
 
@@ -134,29 +137,36 @@ std::vector<LoadHistory> loads_of(const py::object& histories) {
 }
 
 py::object read(const py::object& path, const std::string& column, std::optional<double> start,
-                std::optional<double> end, double dt, const std::string& as) {
+                std::optional<double> end, double dt, const std::string& as, const std::vector<double>& missing) {
   analysis::HistoryChoice choice;
   choice.column = column;
   choice.has_from = start.has_value();
   choice.from = start.value_or(0.0);
   choice.to = end;
   choice.dt = dt;
+  choice.missing = missing;
   choice.notes = say_note;
   const std::string name = path_of(path);
   const LoadHistory load = unlocked([&] { return analysis::read_history(analysis::history_file(name), choice); });
+  if (load.marker && PyErr_WarnEx(PyExc_UserWarning, analysis::marker_warning(load.marker).c_str(), 1) < 0)
+    throw py::error_already_set();
   const py::array times = to_array(load.history.times), values = to_array(load.history.values);
-  if (as == "numpy") return py::make_tuple(times, values);
+  if (as == "numpy")
+    return py::module_::import("brash").attr("History")(times, values, load.column, load.unit, load.start);
   if (as == "pandas") {
     const py::object index = py::module_::import("pandas").attr("Index")(times, "name"_a = "time");
     py::object series = py::module_::import("pandas").attr("Series")(values, "index"_a = index, "name"_a = load.column);
     series.attr("attrs")["units"] = load.unit;
+    if (!load.start.empty()) series.attr("attrs")["start"] = load.start;
     return series;
   }
   if (as == "xarray") {
     const py::object in_seconds = py::make_tuple("time", times, py::dict("units"_a = "s"));
+    py::dict attributes("units"_a = load.unit);
+    if (!load.start.empty()) attributes["start"] = load.start;
     return py::module_::import("xarray").attr("DataArray")(values, "coords"_a = py::dict("time"_a = in_seconds),
                                                            "dims"_a = py::make_tuple("time"), "name"_a = load.column,
-                                                           "attrs"_a = py::dict("units"_a = load.unit));
+                                                           "attrs"_a = attributes);
   }
   throw InputError(fmt::format("as_: '{}' is not allowed; numpy, pandas or xarray", as));
 }
@@ -231,6 +241,23 @@ py::dict events(const py::object& history, std::optional<double> dead_band) {
     add("impulse", [](const Event& e) { return e.impulse; });
     add("rise", [](const Event& e) { return e.rise(); });
     add("fall", [](const Event& e) { return e.fall(); });
+    return out;
+  });
+}
+
+py::dict spectrum(const py::object& history, double segment) {
+  return with_arguments_of("spectrum", [&] {
+    require(segment >= 0.0 && segment < kLongest, "segment", segment, "in (0, 1e12) s, or 0 for an eighth");
+    const LoadHistory load = load_of(history);
+    const auto found = unlocked([&] { return analysis::spectrum_of(load, segment); });
+    if (!found) throw InputError("spectrum: the history or the segment is shorter than 16 samples");
+    const statistics::Interval factors = statistics::spectrum_factors(*found);
+    const py::array density = to_array(found->density);
+    py::dict out;
+    out["frequency"] = to_array(found->frequency);
+    out["density"] = density;
+    out["lower_95"] = density * py::float_(factors.lower);
+    out["upper_95"] = density * py::float_(factors.upper);
     return out;
   });
 }
@@ -335,10 +362,14 @@ py::object resistance(const py::object& campaign, std::optional<double> bollard_
 
 void add_load_histories(py::module_& m) {
   m.def("read_history", &read, "path"_a, "column"_a = "", "start"_a = py::none(), "end"_a = py::none(), "dt"_a = 0.0,
-        "as_"_a = "numpy",
-        "One column of a CSV, netCDF or OpenFAST file (.out) against time [s], in SI: (times, values), a pandas.Series "
-        "or an xarray.DataArray, from `start` on and with it. The history of a run has its settling too: "
-        "`statistics_from` of its summary says where its statistics begin. dt: step of a file without times.");
+        "as_"_a = "numpy", "missing"_a = std::vector<double>(),
+        "One column of a CSV, netCDF or OpenFAST file (.out) against time [s], in SI: a History, which is a pair "
+        "(times, values), a pandas.Series "
+        "or an xarray.DataArray, from `start` on: with it, but for a run, whose samples are the ends of steps. The "
+        "history of a run has its settling too: "
+        "`statistics_from` of its summary says where its statistics begin. dt: step of a file without times. missing: "
+        "values that stand for a missing one, "
+        "in the file's unit. Dates become seconds after the first one, which is attrs[\"start\"].");
   m.def("load_events", &events, "history"_a, "dead_band"_a = py::none(),
         "Load events about the mean: a dict of arrays, shape (n,), that pandas.DataFrame takes. `impulse` is of the "
         "whole "
@@ -354,6 +385,10 @@ void add_load_histories(py::module_& m) {
         "frequency"_a = 1.0, "extrapolate"_a = false,
         "All that `brash stats --json` prints of a history, from its first sample on: a pandas.Series whose index is "
         "time [s], an xarray.DataArray along time, or (times, values).");
+  m.def(
+      "spectrum", &spectrum, "history"_a, "segment"_a = 0.0,
+      "Welch's spectrum of a history, even or not, as `brash stats --spectrum` writes it: a dict of arrays, frequency "
+      "[Hz] and density with its 95 % band. segment [s]: an eighth of the longest piece without one.");
   m.def("rainflow", &cycles, "samples"_a,
         "(ranges, means, counts) of the cycles by ASTM E1049, shape (n,) each; counts are 1 and 0.5.");
   m.def("compare", &compare, "run"_a, "measured"_a,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace brash::report {
@@ -58,12 +59,39 @@ std::vector<double> ticks(const ChartAxis& axis) {
   return values;
 }
 
-/// A number as a tick shows it: thousands from 1000 on, powers of ten as such.
+/// A thousand, a million or a billion, as numbers on an axis are shorter in it.
+struct Prefix {
+  double one = 1.0;
+  const char* letter = "";
+};
+
+Prefix prefix_of(const ChartAxis& axis) {
+  const double largest = std::max(std::abs(axis.lower), std::abs(axis.upper));
+  return largest >= 1e9   ? Prefix{1e9, "G"}
+         : largest >= 1e6 ? Prefix{1e6, "M"}
+         : largest >= 1e4 ? Prefix{1e3, "k"}
+                          : Prefix{};
+}
+
+/// Where the unit of a label begins, if it takes a prefix: "load [N]".
+std::optional<std::size_t> unit_in(const std::string& label) {
+  for (const char* const unit : {"[N]", "[N m]", "[J]", "[Pa]", "[N s]"})
+    if (label.ends_with(unit)) return label.rfind('[') + 1;
+  return std::nullopt;
+}
+
+/// The label of an axis, its unit as its numbers are in it.
+std::string label_text(const ChartAxis& axis) {
+  const auto unit = unit_in(axis.label);
+  return unit ? std::string(axis.label).insert(*unit, prefix_of(axis).letter) : axis.label;
+}
+
+/// A number as a tick shows it: in the unit of label_text(), or else with the prefix behind it, or a power of ten.
 std::string tick_text(const ChartAxis& axis, double value) {
+  const Prefix prefix = prefix_of(axis);
+  if (unit_in(axis.label)) return fmt::format("{:.4g}", value / prefix.one);
   if (axis.logarithmic) return fmt::format("{:.4g}", value);
-  if (std::max(std::abs(axis.lower), std::abs(axis.upper)) >= 1e4 && value != 0.0)
-    return fmt::format("{:.6g}k", value / 1e3);
-  return fmt::format("{:.6g}", value);
+  return fmt::format("{:.6g}{}", value / prefix.one, value == 0.0 ? "" : prefix.letter);
 }
 
 std::string text_at(double x, double y, const std::string& text, const std::string& attributes) {
@@ -166,10 +194,10 @@ std::string Chart::frame() const {
     svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}h{2:.1f}\" class=\"grid\"/>\n", left_, page_y(value), width_);
     svg += text_at(left_ - 5.0, page_y(value) + 4.0, tick_text(y_, value), "text-anchor=\"end\"");
   }
-  svg += text_at(left_ + 0.5 * width_, top_ + height_ + 31.0, x_.label, "text-anchor=\"middle\"");
+  svg += text_at(left_ + 0.5 * width_, top_ + height_ + 31.0, label_text(x_), "text-anchor=\"middle\"");
   if (!y_.label.empty()) {
     const double at = left_ - 52.0, middle = top_ + 0.5 * height_;
-    svg += text_at(at, middle, y_.label,
+    svg += text_at(at, middle, label_text(y_),
                    fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.1f} {:.1f})\"", at, middle));
   }
   return svg;

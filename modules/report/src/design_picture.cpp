@@ -14,8 +14,7 @@ namespace {
 using namespace statistics;
 using Samples = std::vector<double>;
 
-constexpr double kHour = 3600.0;      // [s]
-constexpr double kLegendLine = 16.0;  // [pixels]
+constexpr double kHour = 3600.0;  // [s]
 
 std::string label(const analysis::Design& design) {
   return design.unit.empty() ? "load" : fmt::format("load [{}]", design.unit);
@@ -43,7 +42,17 @@ Levels levels_of(const analysis::Design& design, const analysis::DesignState& st
   return out;
 }
 
-std::string exposure_chart(const analysis::Design& design, const analysis::DesignSettings& asked) {
+/// A panel for each state: bands of several states in one would lie over each other.
+struct Panels {
+  std::string svg;
+  double width = 0.0;   ///< [pixels]
+  double height = 0.0;  ///< with the numbers and the label under them [pixels]
+};
+
+constexpr std::size_t kColumns = 3;
+constexpr double kPanel = 330.0, kPanelHeight = 240.0;  // from one to the next
+
+Panels exposure_panels(const analysis::Design& design, const analysis::DesignSettings& asked) {
   std::vector<Levels> all;
   double first = INFINITY, last = 0.0, low = INFINITY, high = 0.0;
   for (const analysis::DesignState& state : design.states) {
@@ -54,20 +63,30 @@ std::string exposure_chart(const analysis::Design& design, const analysis::Desig
     low = std::min(low, all.back().lower.front());
     high = std::max(high, 1.3 * all.back().level.back());
   }
-  if (!(first < last) || !(low < high)) return "";
-  Chart chart(85.0, 30.0, 380.0, 300.0, "level once in the exposure, 95 %", {"exposure [h]", first, last, true},
-              {label(design), low, high});
+  Panels panels{.svg = "<text x=\"85\" y=\"20\">no state has a level</text>\n", .width = 340.0, .height = 30.0};
+  if (!(first < last) || !(low < high)) return panels;
+  panels.svg = "<text x=\"85\" y=\"20\" style=\"font-weight:bold\">level once in the exposure, 95 %</text>\n";
+  std::size_t n = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const char* colour = kLineColours[i % kLineColours.size()];
+    if (all[i].hours.empty()) continue;
+    const double left = 85.0 + kPanel * static_cast<double>(n % kColumns);
+    const double top = 50.0 + kPanelHeight * static_cast<double>(n / kColumns);
+    Chart chart(left, top, 230.0, 160.0, design.states[i].setting->name, {"exposure [h]", first, last, true},
+                {label(design), low, high});
     for (double& end : all[i].upper) end = std::min(end, 2.0 * high);
-    chart.band(all[i].hours, all[i].lower, all[i].upper, colour);
-    chart.line(all[i].hours, all[i].level, colour, 1.5);
+    chart.band(all[i].hours, all[i].lower, all[i].upper, kLineColours[0]);
+    chart.line(all[i].hours, all[i].level, kLineColours[0], 1.5);
+    panels.svg += chart.svg();
+    panels.width = std::max(panels.width, left + 255.0);
+    panels.height = top + kPanelHeight - 30.0;
+    ++n;
   }
-  return chart.svg();
+  return panels;
 }
 
-/// The level over the return period, with the crushing of all contacts where the cases are known.
-std::string years_chart(const analysis::Design& design, const analysis::DesignSettings& asked) {
+/// The level over the return period, and the crushing of the ice over the full width where the cases are known.
+/// @param top  of the plotted area [pixels].
+std::string years_chart(const analysis::Design& design, const analysis::DesignSettings& asked, double top) {
   if (!design.json.contains("annual") || !design.json["annual"].is_array()) return "";
   constexpr int kPoints = 20;
   const auto [shortest, longest] = std::ranges::minmax(asked.years);
@@ -85,7 +104,7 @@ std::string years_chart(const analysis::Design& design, const analysis::DesignSe
   if (years.size() < 2) return "";
   const double high = std::min(1.05 * upper.back(), 3.0 * level.back());
   for (double& end : upper) end = std::min(end, high);
-  Chart chart(575.0, 30.0, 380.0, 300.0, "level of a return period, 95 %", {"return period [years]", first, last, true},
+  Chart chart(85.0, top, 560.0, 300.0, "level of a return period, 95 %", {"return period [years]", first, last, true},
               {label(design), 0.0, high});
   chart.band(years, lower, upper, kLineColours[0]);
   chart.line(years, level, kLineColours[0], 1.5);
@@ -95,21 +114,14 @@ std::string years_chart(const analysis::Design& design, const analysis::DesignSe
   return chart.svg();
 }
 
-std::string legend(const analysis::Design& design) {
-  std::string svg;
-  double y = 385.0;
-  for (std::size_t i = 0; i < design.states.size(); ++i, y += kLegendLine)
-    svg += fmt::format("<text x=\"85\" y=\"{:.0f}\" style=\"fill:{}\">{}</text>\n", y,
-                       kLineColours[i % kLineColours.size()], design.states[i].setting->name);
-  return svg;
-}
-
 }  // namespace
 
 std::string design_picture(const analysis::Design& design, const analysis::DesignSettings& asked) {
-  const std::string years = years_chart(design, asked);
-  return svg_page(years.empty() ? 500.0 : 1000.0, 390.0 + kLegendLine * static_cast<double>(design.states.size()),
-                  exposure_chart(design, asked) + years + legend(design));
+  const Panels panels = exposure_panels(design, asked);
+  const double top = panels.height + 30.0;
+  const std::string years = years_chart(design, asked, top);
+  return svg_page(years.empty() ? panels.width : std::max(panels.width, 670.0),
+                  years.empty() ? panels.height + 10.0 : top + 345.0, panels.svg + years);
 }
 
 }  // namespace brash::report

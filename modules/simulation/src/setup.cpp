@@ -2,8 +2,12 @@
 // Scales of a case, the structure's course through the field, and the part of the run that its statistics cover.
 #include "brash/simulation/setup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include "brash/core/constants.hpp"
 #include "edge_contact.hpp"
@@ -145,6 +149,24 @@ double time_at(const model::Case& c, double x) {
   return c.time.duration;
 }
 
+/// When a ship's stern passes `x` where nothing resists it, if it does before the end of the run [s].
+std::optional<double> time_of_stern(const model::Case& c, const structure::Hull& hull, double x) {
+  if (!std::holds_alternative<model::Ship>(c.structure.shape)) return std::nullopt;
+  constexpr int kSamples = 400;
+  const Freeboard heights = freeboard(c);
+  const auto stern_at = [&](double time) {
+    const Pose pose = structure::unresisted(c.structure, time);
+    return -structure::foremost(hull, pose, heights.bottom, heights.top, {-1.0, 0.0}).reach;
+  };
+  if (const double speed = model::speed(c.structure.motion); speed > 0.0) {
+    const double time = std::max(0.0, (x - stern_at(0.0)) / speed);
+    return time < c.time.duration ? std::optional(time) : std::nullopt;
+  }
+  for (int i = 0; i < kSamples; ++i)
+    if (const double time = c.time.duration * i / kSamples; stern_at(time) >= x) return time;
+  return std::nullopt;
+}
+
 /// Time after so many steps [s].
 double whole_steps(const model::Case& c, double n) { return n * c.time.step; }
 
@@ -155,15 +177,23 @@ bool leaves_ice(const model::Case& c, const Course& course) {
          course.leaves < c.time.duration;
 }
 
-StatisticsWindow window_of(const model::Case& resolved, double initial_crack_radius, const Course& course) {
+StatisticsWindow window_of(const model::Case& resolved, const structure::Hull& hull, double initial_crack_radius,
+                           const Course& course) {
   const double x = place_of_begin(resolved, initial_crack_radius);
   StatisticsWindow window{.from = resolved.output.statistics_from.value_or(time_at(resolved, x)),
                           .until = whole_steps(resolved, std::round(resolved.time.duration / resolved.time.step)),
                           .begins = "the structure's axis passes the ice edge",
                           .ends = "the run is over"};
-  if (x > 0.0) window.begins = "the structure's axis has passed the last floe of the initial crack";
+  const bool leaves = leaves_ice(resolved, course);
+  std::optional<double> stern = resolved.output.statistics_from ? std::nullopt : time_of_stern(resolved, hull, x);
+  if (stern && leaves && course.leaves <= *stern) stern.reset();  // the ice is shorter than the ship
+  if (stern) window.from = *stern;
+  if (stern) window.begins = "the ship's stern passes the ice edge: the whole hull is in the ice";
+  if (x > 0.0)
+    window.begins = fmt::format("the {} has passed the last floe of the initial crack",
+                                stern ? "ship's stern" : "structure's axis");
   if (resolved.output.statistics_from) window.begins = "output.statistics_from says so";
-  if (!leaves_ice(resolved, course) || course.leaves <= window.from) return window;
+  if (!leaves || course.leaves <= window.from) return window;
   window.until = whole_steps(resolved, std::floor(course.leaves / resolved.time.step));
   window.ends = "the structure's bow leaves the ice at the far side";
   return window;
@@ -172,7 +202,8 @@ StatisticsWindow window_of(const model::Case& resolved, double initial_crack_rad
 }  // namespace
 
 StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius) {
-  return window_of(resolved, initial_crack_radius, course_of(resolved, *structure::make_hull(resolved.structure)));
+  const auto hull = structure::make_hull(resolved.structure);
+  return window_of(resolved, *hull, initial_crack_radius, course_of(resolved, *hull));
 }
 
 Setup::Setup(const model::Case& of)
@@ -183,6 +214,6 @@ Setup::Setup(const model::Case& of)
       motion(structure::make_motion(resolved, *hull)),
       scales(scales_of(resolved, ice, *criterion, slope_ahead(resolved, *hull, *motion))),
       course(course_of(resolved, *hull)),
-      window(window_of(resolved, scales.initial_crack_radius, course)) {}
+      window(window_of(resolved, *hull, scales.initial_crack_radius, course)) {}
 
 }  // namespace brash::simulation

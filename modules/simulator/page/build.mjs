@@ -32,6 +32,7 @@ const parts = {
   "/*STYLE*/": style,
   "BRASH-SCHEMA": inside(JSON.stringify(JSON.parse(read("modules/io/case.schema.json")))),
   "BRASH-SITE-ICE": inside(JSON.stringify(JSON.parse(read("modules/io/site_ice.json")))),
+  "BRASH-KINDS": inside(JSON.stringify(JSON.parse(readFileSync(join(here, "new_kinds.json"), "utf8")))),
   // The builder begins as `brash new --ice baltic` does, the simulator with the validation case, of which it draws 20 s at once.
   "BRASH-TEMPLATE": core ? read("experiments/validation/cone.toml").replace(/^(#.*\n)+\n/, "") : readFileSync(join(here, "new_case.toml"), "utf8").replace(/^# SPDX.*\n/, ""),
   "BRASH-WORKER": core ? inside(readFileSync(join(core, "core.js"), "utf8") + bundled(esbuild, join(here, "src/worker.ts"))) : "",
@@ -40,7 +41,7 @@ const parts = {
 };
 let page = readFileSync(join(here, "page.html"), "utf8");
 // The policy's hash would hold for the script alone; the parts come in one pass, so that none is sought in another.
-page = page.replace(/SCRIPT-HASH|\/\*STYLE\*\/|BRASH-(?:SCHEMA|SITE-ICE|TEMPLATE|WORKER|CORE)|\/\*SCRIPT\*\//g, (mark) => parts[mark]);
+page = page.replace(/SCRIPT-HASH|\/\*STYLE\*\/|BRASH-(?:SCHEMA|SITE-ICE|KINDS|TEMPLATE|WORKER|CORE)|\/\*SCRIPT\*\//g, (mark) => parts[mark]);
 if (output.endsWith(".cpp")) {
   writeFileSync(output, `#include "brash/simulator/builder.hpp"\n\nusing namespace std::literals;\n\n` +
     `const std::string_view brash::simulator::kBuilder =\n${literal(page, "BRASH_BUILDER")};\n`);

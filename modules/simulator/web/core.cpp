@@ -15,7 +15,7 @@
 namespace brash::io {
 
 /// A page has no netCDF. @throws InputError always.
-Series read_netcdf_series(const std::string& path) {
+Series read_netcdf_series(const std::string& path, const std::vector<double>& /*missing*/) {
   throw InputError(Complaint{path, "is netCDF, which the simulator in a page does not read", "a table as text (CSV)",
                              "write the table as CSV, or run the case with the command brash"});
 }

@@ -41,6 +41,25 @@ BOOST_AUTO_TEST_CASE(statistics_begin_behind_the_initial_crack) {
   BOOST_TEST(says(text_of(warnings("time.duration=9"), "no-statistics"), "has passed the last floe"));
 }
 
+BOOST_AUTO_TEST_CASE(statistics_of_a_ship_begin_with_its_whole_hull_in_the_ice) {
+  const auto window_of = [](double duration) {
+    model::Case c = io::read_case(BRASH_SOURCE_DIR "/experiments/ships/icebreaker.toml");
+    c.output.statistics_from.reset();
+    c.structure.start_distance = 60.0;
+    c.time.duration = duration;
+    return simulation::statistics_window(c, 0.0);
+  };
+  // 90 m at the waterline, its origin in the middle of it: half outside when the origin passes the edge.
+  const double speed =
+      model::speed(io::read_case(BRASH_SOURCE_DIR "/experiments/ships/icebreaker.toml").structure.motion);
+  const double stern = (60.0 + 45.0) / speed;
+  const simulation::StatisticsWindow whole = window_of(stern + 10.0), half = window_of(stern - 10.0);
+  BOOST_TEST(whole.from == stern, boost::test_tools::tolerance(0.03));  // the ice reaches above and below the waterline
+  BOOST_TEST(whole.begins == "the ship's stern passes the ice edge: the whole hull is in the ice");
+  BOOST_TEST(half.from == 60.0 / speed, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(half.begins == "the structure's axis passes the ice edge");
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_is_too_short_is_told_how_long_it_should_be) {
   // l_c = 3.27 m and 1.202 m/s: five breaking lengths of 1.31 m take 5.44 s, after 9.98 s.
   const auto warnings = [](const char* duration) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "brash/analysis/campaign_histories.hpp"
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
@@ -173,6 +174,60 @@ BOOST_AUTO_TEST_CASE(missing_values_and_missing_rows_make_gaps) {
   HistoryChoice patient;
   patient.longest_interval = 2.0;
   BOOST_TEST(read_history(file.path(), patient).even.sampling.gaps.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_usual_marker_of_missing_values_is_warned_of_and_left_out_on_request) {
+  const auto table = [](const std::string& head, const std::string& marker) {
+    std::string text = "time [s]," + head + "\n";
+    for (int i = 0; i < 40; ++i)
+      text += std::to_string(i) + "," + (i % 20 == 3 ? marker : std::to_string(50 + i % 7)) + "\n";
+    return text;
+  };
+  for (const auto& [head, marker] : {std::pair("F [kN]", "-9999"), {"F [N]", "-999.25"}, {"F", "99999"}}) {
+    const TemporaryFile file(table(head, marker));
+    const LoadHistory load = read_history(file.path(), {});
+    BOOST_TEST_REQUIRE(load.marker.has_value());
+    BOOST_TEST(load.marker->value == std::stod(marker));
+    BOOST_TEST(load.marker->n == 2U);
+    BOOST_TEST(contains(statistics_text(statistics_of(load, {})), std::string("--missing ") + marker));
+    HistoryChoice choice;
+    choice.missing = {std::stod(marker)};
+    const LoadHistory without = read_history(file.path(), choice);
+    BOOST_TEST(without.n_missing == 2U);
+    BOOST_TEST(!without.marker.has_value());
+    BOOST_TEST(without.even.sampling.n_lost == 2U);
+  }
+  // The end of a range is not a marker, and neither is another number that lies apart.
+  for (const char* const ordinary : {"57", "-9998", "1e5"})
+    BOOST_TEST(!read_history(TemporaryFile(table("F", ordinary)).path(), {}).marker.has_value());
+  std::vector<double> wave;
+  for (int i = 0; i <= 99; ++i) wave.push_back(i);
+  BOOST_TEST(!missing_marker(wave, 1.0).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_date_of_a_history_is_kept) {
+  const TemporaryFile file("time,F\n2024-02-01T12:00:00.3,1\n2024-02-01T12:00:00.4,2\n2024-02-01T12:00:00.5,3\n");
+  HistoryChoice choice;
+  choice.has_from = true;
+  choice.from = 0.1;
+  const LoadHistory load = read_history(file.path(), choice);
+  BOOST_TEST(load.history.times == (std::vector<double>{0.1, 0.2}), boost::test_tools::per_element());
+  const auto json = statistics_of(load, {});
+  BOOST_TEST(json["start"] == "2024-02-01T12:00:00.3");
+  BOOST_TEST(contains(statistics_text(json), "from t = 0.1 s after 2024-02-01T12:00:00.3"));
+}
+
+BOOST_AUTO_TEST_CASE(the_window_of_a_run_has_one_rule_whoever_says_where_it_begins) {
+  const std::string rows = "time,Fx\n0.1,1\n0.2,2\n0.3,3\n0.4,4\n0.5,5\n";
+  const TemporaryFile run(rows), summary(R"({"statistics_from": 0.2, "statistics_until": 0.5})", "summary.json"),
+      measured(rows, "measured.csv");
+  HistoryChoice of_summary, told;
+  begin_as_run(of_summary, run.path());
+  told.has_from = true;
+  told.from = 0.2;
+  BOOST_TEST(read_history(run.path(), of_summary).history.times.front() == 0.3);
+  BOOST_TEST(read_history(run.path(), told).history.times.front() == 0.3);
+  BOOST_TEST(read_history(measured.path(), told).history.times.front() == 0.2);
 }
 
 BOOST_AUTO_TEST_CASE(bad_files_are_refused_with_the_place) {

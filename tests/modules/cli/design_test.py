@@ -202,6 +202,10 @@ class Design(unittest.TestCase):
         picture = self.folder / "design.svg"
         self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "-o", picture)
         self.assertIn("level of a return period", picture.read_text())
+        # Each state has a panel of its own, on common axes.
+        for name in SETTINGS:
+            self.assertEqual(picture.read_text().count(f">{name}</text>"), 1)
+        self.assertEqual(picture.read_text().count(">exposure [h]</text>"), len(SETTINGS))
 
     @unittest.skipUnless(shutil.which("rsvg-convert"), "rsvg-convert is not installed")
     def test_a_picture_may_be_png(self):
@@ -209,7 +213,7 @@ class Design(unittest.TestCase):
         self.design("-o", picture)
         data = picture.read_bytes()
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">I", data[16:20]), (1000,))  # two pixels for one of the drawing
+        self.assertEqual(struct.unpack(">I", data[16:20]), (1340,))  # two pixels for one of the drawing
         self.assertEqual([file.name for file in self.folder.glob("*design.png*")], ["design.png"])
 
     def test_a_png_without_its_program_is_refused(self):

@@ -126,6 +126,14 @@ class Templates(unittest.TestCase):
         page = (SOURCE / "modules/simulator/page/new_case.toml").read_text(encoding="utf-8")
         self.assertEqual(page.split("\n", 1)[1], brash("new", "--ice", "baltic").stdout)
 
+    def test_the_page_has_the_keys_of_each_new_kind(self):
+        kinds = json.loads((SOURCE / "modules/simulator/page/new_kinds.json").read_text(encoding="utf-8"))
+        for kind, text in kinds.items():
+            new = tomllib.loads(brash("new", "--kind", kind, "--ice", "baltic").stdout)
+            self.assertEqual(tomllib.loads(text), {name: new[name] for name in ("structure", "hull", "field", "time") if name in new})
+        refusal = brash("new", "--kind", "cube", "--ice", "baltic", code=2).stderr
+        self.assertEqual(set(kinds), set(re.findall(r'"([a-z-]+)"', refusal)))
+
     def test_the_cone_in_the_ice_of_the_basin_stays_the_validation_case(self):
         new = tomllib.loads(brash("new").stdout)
         self.assertEqual((new["time"]["duration"], new["field"]), ("20 s", {"length": "50 m", "width": "50 m"}))

@@ -170,6 +170,83 @@ class OpenFast(unittest.TestCase):
     def test_a_start_after_the_end_is_refused(self):
         self.assertIn("less than the end of the run", self.export("--from", "7", code=2))
 
+    def test_a_run_that_kept_its_history_alone_has_the_same_files(self):
+        run = self.folder / "histories"
+        run.mkdir()
+        (run / "history.csv").write_bytes((self.folder / "run/history.csv").read_bytes())
+        subprocess.run([BRASH, "export", "openfast", run, "--point", "0,1.5,-4"], check=True, capture_output=True)
+        self.export("-o", self.folder / "whole", "--point", "0,1.5,-4")
+        for name in ("ice_forces.dat", "ice_StC.dat"):
+            self.assertEqual((run / "openfast" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
+
+
+class OpenFastOfACampaign(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        plan = cls.folder / "plan.toml"
+        plan.write_text(f"""
+[campaign]
+case = "{SOURCE}/experiments/validation/cone.toml"
+replicates = 3
+[set]
+time.duration = 1.5
+output.statistics_from = 0.5
+[[grid]]
+structure.angle = ["50 deg", "61.4 deg"]
+[output]
+keep = "history"
+columns = ["n_breaks"]
+""", encoding="utf-8")
+        subprocess.run([BRASH, "campaign", plan, "-o", cls.folder / "runs"], check=True, capture_output=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def export(self, *options, code=0):
+        done = subprocess.run([BRASH, "export", "openfast", self.folder / "runs", *options], check=False,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout + done.stderr
+
+    def history(self, case):
+        names = ("time", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
+        with open(self.folder / "runs/cases" / case / "history.csv", encoding="utf-8") as file:
+            return np.array([[float(row[name]) for name in names] for row in csv.DictReader(file)])
+
+    def test_each_run_has_its_load_file(self):
+        said = self.export()
+        cases = sorted(path.name for path in (self.folder / "runs/cases").iterdir())
+        self.assertEqual(sorted(path.name for path in (self.folder / "runs/openfast").iterdir()), cases)
+        self.assertEqual(len(cases), 6)
+        self.assertIn("6 runs", said)
+        self.assertIn("TMax of OpenFAST: at most 1.5 s", said)
+        for case in cases:
+            table = read_forces(self.folder / "runs/openfast" / case / "ice_forces.dat")
+            np.testing.assert_allclose(table[:-1], self.history(case), rtol=1e-8, atol=1e-6)
+            read_control(self.folder / "runs/openfast" / case / "ice_StC.dat")
+
+    def test_replicates_are_joined_on_request_alone_and_the_file_says_where(self):
+        said = self.export("-o", self.folder / "joined", "--join", "2.5")
+        self.assertIn("angle-50deg: 2.5 s of 3 replicates, the load jumps from one to the next at 1, 2 s", said)
+        path = self.folder / "joined/angle-50deg/ice_forces.dat"
+        self.assertIn("# 3 replicates of one state of the ice: the load jumps from one to the next at 1, 2 s",
+                      path.read_text(encoding="ascii"))
+        steady = [self.history(f"angle-50deg-r000{i}") for i in range(3)]
+        loads = np.concatenate([rows[rows[:, 0] > 0.5] for rows in steady])[:, 1:]
+        table = read_forces(path)
+        np.testing.assert_allclose(table[:-1, 0], 0.01 * np.arange(251), atol=1e-6)
+        np.testing.assert_allclose(table[:-1, 1:], loads[:251], rtol=1e-8, atol=1e-6)
+
+    def test_too_few_replicates_are_refused(self):
+        self.assertIn("3 replicates have 2.99 s together", self.export("--join", "600", code=2))
+        run = self.folder / "runs/cases/angle-50deg-r0000"
+        done = subprocess.run([BRASH, "export", "openfast", run, "--join", "600"], check=False, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("is not a campaign", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,6 +2,7 @@
 #include "brash/io/series.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <string>
 
 #include "brash/core/error.hpp"
@@ -85,6 +86,36 @@ BOOST_AUTO_TEST_CASE(a_closing_remark_is_left_out_with_a_note) {
   for (const char* const bad :
        {"time,Fx\n0,1\n1,2\nrestart\n2,3\n", "time,Fx\n0,1\n1,2\nmean,3\n", "time,Fx\n0,1\n1,2\n2\n", "F\n1\n2\ninf\n"})
     BOOST_CHECK_THROW(read("bad.csv", bad), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(dates_become_exact_seconds_after_the_first_which_is_kept) {
+  const Scratch scratch;
+  const auto read = [&](const std::string& text) { return io::read_series(scratch.write("history.csv", text)); };
+  const io::Series dated = read("time,F\n2024-02-29T23:59:59.9,1\n2024-03-01T00:00:00,2\n2024-03-01T00:00:00.6,3\n");
+  BOOST_TEST(dated.columns.at(0) == (std::vector<double>{0.0, 0.1, 0.7}), boost::test_tools::per_element());
+  BOOST_TEST(dated.start == "2024-02-29T23:59:59.9");
+  BOOST_TEST(read("time,F\n0,1\n1,2\n").start.empty());
+  // Another form is refused with the form that is read.
+  for (const char* const cell : {"01.02.2024 12:00:00", "02/01/2024 12:00", "12:00:00.1", "2024-2-1 12:00"})
+    BOOST_CHECK_EXCEPTION(read(std::string("time;F\n") + cell + ";1\n" + cell + ";2\n"), InputError,
+                          [](const InputError& e) {
+                            const std::string what = e.what();
+                            return what.find("history.csv:2") != std::string::npos &&
+                                   what.find("2024-02-01T12:00:00.5 (ISO 8601") != std::string::npos;
+                          });
+}
+
+BOOST_AUTO_TEST_CASE(values_that_stand_for_missing_ones_are_in_the_unit_of_the_file) {
+  const Scratch scratch;
+  const std::string path = scratch.write("history.csv", "time,F [kN],x\n-9999,1,-9999\n1,-9999,2\n2,3,-99\n");
+  const io::Series series = io::read_series(path, {-9999, -99});
+  BOOST_TEST(series.columns.at(0).front() == -9999.0);  // a time
+  BOOST_TEST(std::isnan(series.columns.at(1).at(1)));
+  BOOST_TEST(std::isnan(series.columns.at(2).front()));
+  BOOST_TEST(std::isnan(series.columns.at(2).back()));
+  BOOST_TEST(series.columns.at(1).back() == 3e3);
+  BOOST_TEST(series.factors.at(1) == 1e3);
+  BOOST_TEST(io::read_series(path).columns.at(1).at(1) == -9999e3);
 }
 
 BOOST_AUTO_TEST_CASE(binary_formats_are_named) {

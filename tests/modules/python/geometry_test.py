@@ -199,6 +199,39 @@ class Sheets(unittest.TestCase):
         self.assertIs(self.sheet.contains([1, 1]), True)
         self.assertEqual(len(self.sheet.polygons()[0].holes), 1)
 
+    def test_cracks_come_as_a_map_or_a_geometry_library_has_them(self):
+        class Geometry:  # as shapely's, geopandas' and brash's own
+            def __init__(self, kind, coordinates):
+                self.__geo_interface__ = {"type": kind, "coordinates": coordinates}
+
+        region = "POLYGON ((10 0, 12 0, 12 2, 10 2, 10 0))"
+        straight, bent = [[11, -1], [11, 3]], [[9, 1], [11, 1], [13, 1.5]]
+        wkt = "LINESTRING (11 -1, 11 3)", "LINESTRING (9 1, 11 1, 13 1.5)"
+        both = "MULTILINESTRING ((11 -1, 11 3), (9 1, 11 1, 13 1.5))"
+        first = brash.IceSheet(self.sheet.polygons()).cut(region, [straight[:], *([p, q] for p, q in zip(bent, bent[1:]))])
+        self.assertEqual(len(first.pieces), 4)
+        for cracks in (list(wkt), both, [straight, bent], [np.array(straight), np.array(bent)],
+                       [Geometry("LineString", straight), Geometry("LineString", bent)],
+                       (Geometry("LineString", line) for line in (straight, bent)),
+                       Geometry("MultiLineString", [straight, bent]), [wkt[0], Geometry("LineString", bent)],
+                       {"type": "MultiLineString", "coordinates": [straight, bent]}):
+            with self.subTest(cracks=cracks):
+                cut = brash.IceSheet(self.sheet.polygons()).cut(region, cracks)
+                self.assertEqual(sorted(p.area for p in cut.pieces), sorted(p.area for p in first.pieces))
+        for cracks in ("POLYGON ((0 0, 1 0, 1 1, 0 0))", "POINT (1 1)", "not a line", [straight, 7], [straight, [[1, 2, 3]]],
+                       Geometry("Polygon", [bent]), 7, [[1, 1]], [["2024-01-01", "x"]]):
+            with self.subTest(cracks=cracks), self.assertRaises(brash.InputError) as caught:
+                brash.IceSheet(self.sheet.polygons()).cut(region, cracks)
+            self.assertIn("cracks", str(caught.exception))
+        # Lines of one length, which NumPy takes for one array.
+        bends = [bent, [[9, 1.9], [11, 1.9], [13, 1.8]]]
+        for cracks in (bends, np.array(bends), [Geometry("LineString", line) for line in bends]):
+            self.assertEqual(len(brash.IceSheet(self.sheet.polygons()).cut(region, cracks).pieces), 3)
+        # A line that misses the edge by rounding parts the ice, as with `brash crack --along`.
+        self.assertEqual(len(brash.IceSheet(self.sheet.polygons()).cut(region, ["LINESTRING (11 0.00000001, 11 3)"]).pieces), 2)
+        at = Geometry("Point", [0, 0.3])
+        self.assertEqual(len(self.sheet.cut_circumferential(at, radius=3, wedges=4).pieces), 4)
+
     def test_a_severed_part_is_released(self):
         self.sheet.cut([[20, -30], [21, -30], [21, 30], [20, 30]])
         released = self.sheet.release_detached()

@@ -2,6 +2,7 @@
 """Load histories in Python: the reader, events, extremes, comparison, design; pandas and xarray in and out."""
 import json
 import pathlib
+import pickle
 import tempfile
 import threading
 import time
@@ -39,6 +40,56 @@ class Histories(unittest.TestCase):
         file.write_text("time [ms],Fx [kN]\n0,1\n500,2\n1000,3\n1500,4\n")
         times, values = brash.read_history(file, start=0.5, end=1.0)
         self.assertEqual((times.tolist(), values.tolist()), ([0.5, 1.0], [2000.0, 3000.0]))
+
+    def test_one_object_has_the_statistics_of_a_history(self):
+        times, load = sawtooth(400)
+        file = self.folder / "load.csv"
+        lines = [f"2024-02-01T12:{int(t) // 60:02d}:{t % 60:06.3f},{x:.9g}\n" for t, x in zip(times, load / 1e3)]
+        file.write_text("time,Fx [kN]\n" + "".join(lines))
+        history = brash.History.read(file)
+        self.assertEqual((history.name, history.unit, history.start), ("Fx", "N", "2024-02-01T12:00:" + lines[0][17:23]))
+        np.testing.assert_allclose(history.values, load, rtol=1e-8)
+        pair = tuple(history)  # the functions take the one as the other
+        self.assertEqual(history.stats()["mean"], brash.stats(pair)["mean"])
+        self.assertEqual((history.stats()["unit"], history.stats()["start"]), ("N", history.start))
+        self.assertEqual(history.extremes(600.0), brash.extremes(pair, 600.0))
+        events = brash.load_events(pair)
+        self.assertEqual(history.peaks().values.tolist(), events["peak"].tolist())
+        self.assertEqual(history.peaks().times.tolist(), events["peak_time"].tolist())
+        self.assertEqual([a.tolist() for a in history.rainflow()], [a.tolist() for a in brash.rainflow(history.values)])
+        self.assertEqual(history.compare(pair)["mean"], brash.compare(pair, pair)["mean"])
+        spectrum = history.spectrum()
+        step = np.diff(history.times).mean()
+        peak = spectrum["frequency"][1:][spectrum["density"][1:].argmax()]
+        self.assertEqual(peak, history.stats()["spectrum_peak"]["frequency"])
+        self.assertLess(spectrum["frequency"][-1], 0.5 / step + 1e-6)
+        self.assertTrue(np.all(spectrum["lower_95"] < spectrum["upper_95"]))
+        part = history.between(1.0, 2.0)
+        self.assertTrue(part.times.min() >= 1.0 and part.times.max() <= 2.0 and part.unit == "N")
+        self.assertEqual(pickle.loads(pickle.dumps(history)).start, history.start)
+        for bad in (([1, 2], [1]), ([[1, 2]], [[1, 2]])):
+            with self.assertRaises(brash.InputError):
+                brash.History(*bad)
+
+    @unittest.skipIf(pd is None, "pandas and xarray are not installed")
+    def test_a_history_goes_to_pandas_with_its_dates(self):
+        file = self.folder / "load.csv"
+        file.write_text("time,Fx [kN]\n2024-02-01T12:00:00.3,1\n2024-02-01T12:00:00.4,2\n2024-02-01T12:00:01,4\n")
+        series = brash.History.read(file).to_pandas()
+        self.assertEqual((series.name, series.attrs["units"], series.tolist()), ("Fx", "N", [1e3, 2e3, 4e3]))
+        self.assertEqual(series.index[1], pd.Timestamp("2024-02-01T12:00:00.4"))
+        self.assertEqual(brash.History([0, 1], [2, 3]).to_pandas().index.tolist(), [0.0, 1.0])
+        self.assertEqual(brash.read_history(file, as_="pandas").attrs["start"], "2024-02-01T12:00:00.3")
+        self.assertEqual(brash.read_history(file, as_="xarray").attrs["start"], "2024-02-01T12:00:00.3")
+
+    def test_markers_of_missing_values_are_warned_of_and_left_out(self):
+        file = self.folder / "load.csv"
+        file.write_text("time,F [kN]\n" + "".join(f"{i},{-9999 if i == 7 else 50 + i % 5}\n" for i in range(20)))
+        with self.assertWarnsRegex(UserWarning, r"1 sample is -9999(.|\n)*missing=\[-9999\]"):
+            brash.read_history(file)
+        times, values = brash.read_history(file, missing=[-9999])
+        self.assertEqual((len(times), values.min()), (19, 50e3))
+        self.assertIn("-9999", " ".join(brash.stats((np.arange(20.0), np.where(np.arange(20) == 7, -9999, 50.0 + np.arange(20) % 5)))["warnings"]))
 
     def test_the_output_of_openfast_is_read(self):
         file = self.folder / "tower.out"

@@ -21,9 +21,9 @@ Object.assign(globalThis, { matchMedia: () => ({ addEventListener: () => {} }), 
 const { csv } = await exported("modules/report/viewer/src/save.ts");
 const { duration } = await exported("modules/report/viewer/src/extremes.ts");
 const { piecesOfEvents } = await exported("modules/report/viewer/src/data.ts");
-const { resultOf, titleOf } = await exported("modules/report/viewer/src/campaign_names.ts");
+const { decimalsOf, meanText, resultOf, titleOf } = await exported("modules/report/viewer/src/campaign_names.ts");
 const { countsOf } = await exported("modules/report/viewer/src/statistics.ts");
-const { chooseUnits, energyText, energyUnit, loadText, loadUnit } = await exported("modules/report/viewer/src/format.ts");
+const { chooseUnits, degrees, energyText, energyUnit, loadText, loadUnit, ratio, seconds } = await exported("modules/report/viewer/src/format.ts");
 const { shownUnit } = await exported("modules/report/viewer/src/choice.ts");
 const { valueIn, withValue } = await exported("modules/simulator/page/src/case_text.ts");
 
@@ -53,6 +53,21 @@ test("the units of a page fit its largest load and its largest energy", () => {
   assert.equal(`${loadText(0.0123)} ${loadUnit()}, ${energyText(null)} ${energyUnit()}`, "12.3 mN, – J");
   chooseUnits(0, NaN);
   assert.equal(`${loadText(1e4)} ${loadUnit()}, ${energyUnit()}`, "10.0 kN, kJ");
+});
+
+test("means of one result have one number of decimals", () => {
+  const column = (mean, half) => ({ mean, mean_95: half === null ? null : [mean - half, mean + half], n: 3 });
+  const columns = [column(22.5, 0.9999), column(23.5, 1.6), column(24.25, 12), column(21.04, null), column(20, 0)];
+  const texts = (of) => of.map((each) => meanText(each, 1, decimalsOf(of, 1)));
+  assert.deepEqual(texts(columns), ["22.5 (21.5 to 23.5)", "23.5 (21.9 to 25.1)", "24.3 (12.3 to 36.3)", "21.0 (one run)", "20.0 (20.0 to 20.0)"]);
+  assert.deepEqual(texts([column(21.043, null)]), ["21.04 (one run)"]);
+  assert.deepEqual(texts([column(-0.001, 0.5)]), ["0.00 (−0.50 to 0.50)"]);
+});
+
+test("the rounding of zero is zero", () => {
+  assert.deepEqual([-1.209e-15, 0.027, -0.5].map(ratio), ["0", "0.02700", "−0.5000"]);
+  assert.equal(degrees(-1e-9), "0.0");
+  assert.equal(seconds(-1e-9), "0.00");
 });
 
 test("results of a campaign have their units", () => {

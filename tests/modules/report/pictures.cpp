@@ -52,6 +52,24 @@ std::string picture_of(double mean, double amplitude) {
 
 BOOST_AUTO_TEST_SUITE(pictures)
 
+BOOST_AUTO_TEST_CASE(an_axis_of_large_numbers_has_its_unit_with_a_prefix) {
+  const auto chart = [](const char* label, double upper, bool logarithmic) {
+    return Chart(0.0, 0.0, 100.0, 100.0, "", {label, logarithmic ? upper / 1e3 : 0.0, upper, logarithmic},
+                 {"", 0.0, 1.0})
+        .svg();
+  };
+  const std::string meganewtons = chart("load [N]", 2e6, false), logarithmic = chart("load [N]", 1e9, true);
+  BOOST_TEST(contains(meganewtons, ">load [MN]</text>"));
+  BOOST_TEST(contains(meganewtons, ">1.5</text>"));
+  BOOST_TEST(contains(logarithmic, ">load [GN]</text>"));
+  BOOST_TEST(contains(logarithmic, ">0.01</text>"));
+  BOOST_TEST(contains(chart("moment [N m]", 5e4, false), ">moment [kN m]</text>"));
+  // Without a unit the prefix stands behind each number, and a unit that takes none stays.
+  BOOST_TEST(contains(chart("load", 6e8, false), ">400M</text>"));
+  BOOST_TEST(contains(chart("load [N]", 900.0, false), ">load [N]</text>"));
+  BOOST_TEST(contains(chart("width [m]", 2e6, false), ">width [m]</text>"));
+}
+
 BOOST_AUTO_TEST_CASE(a_logarithmic_axis_has_two_numbers_at_least) {
   const std::string decade = logarithmic(1.66, 7.35), narrow = logarithmic(3.1, 4.6), wide = logarithmic(0.5, 2000.0);
   BOOST_TEST(contains(decade, ">2</text>"));

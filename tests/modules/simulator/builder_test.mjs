@@ -90,6 +90,45 @@ test("the form writes a case file, and what is written shows in the form", async
   await page.close();
 });
 
+test("a chosen kind of structure comes with its keys, and check takes the file", async () => {
+  const page = await openPage(browser, page_file);
+  const text = page.locator("textarea");
+  await page.locator("#key-structure-speed").fill("0.9 m/s");
+  const file = join(folder, "kind.toml");
+  for (const kind of ["ship", "wedge-bow", "mesh", "plane", "faceted-cone", "ship", "cone"]) {
+    await page.locator("#key-structure-kind").selectOption(kind);
+    const now = await text.inputValue();
+    assert.match(now, /^speed = "0\.9 m\/s"/m, "its speed stays");
+    assert.equal(/^\[hull\]$/m.test(now), kind === "ship");
+    writeFileSync(file, now);
+    const checked = brash("check", file);
+    if (kind === "mesh") assert.match(checked.stderr, /structure\.file = "hull\.stl": there is no file/, "a mesh is the reader's");
+    else assert.equal(checked.status, 0, `${kind}: ${checked.stderr}`);
+  }
+  await page.close();
+});
+
+test("ranges are in the unit in which a key is written", async () => {
+  const page = await openPage(browser, page_file);
+  assert.match(await page.locator("#key-structure-angle-meaning").innerText(), /Unit: deg, .* rad without one\. Range: \d+(\.\d+)? to 90 deg/);
+  assert.match(await page.locator("#key-ice-youngs_modulus-meaning").innerText(), /Range: [\d.]+ to \d+ GPa/);
+  await page.close();
+});
+
+test("on a phone the file stays in sight above the fields", async () => {
+  const page = await openPage(browser, page_file);
+  await page.setViewportSize({ width: 390, height: 844 });
+  const visible = () => page.locator("textarea").evaluate((area) => {
+    const { top, bottom } = area.getBoundingClientRect();
+    return top >= 0 && bottom <= 0.45 * innerHeight;
+  });
+  await page.locator("#key-structure-speed").scrollIntoViewIfNeeded();
+  await page.locator("#key-structure-speed").evaluate((field) => field.scrollIntoView({ block: "center" }));
+  assert.ok(await visible());
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  await page.close();
+});
+
 test("comments and a measured load follow the values that they are of", async () => {
   const page = await openPage(browser, page_file);
   const text = page.locator("textarea");

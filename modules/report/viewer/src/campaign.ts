@@ -2,7 +2,7 @@
 // The report of a campaign: results with intervals over what was varied, and every run.
 import { type Axes, axesOf, differing } from "./campaign_axes";
 import { kMostRows, listChart } from "./campaign_list";
-import { inputOf, kLabel, meaningOf, meanText, resultOf, settingName, titleOf, valueOf } from "./campaign_names";
+import { decimalsOf, inputOf, kLabel, meaningOf, meanText, resultOf, settingName, titleOf, valueOf } from "./campaign_names";
 import { multiples, type Runs } from "./campaign_trends";
 import { el, groupedTable, section } from "./dom";
 import { number } from "./format";
@@ -57,13 +57,14 @@ function groupsOf(data: CampaignData, keys: string[]): [string, CampaignSetting[
 function settingsTable(data: CampaignData, keys: string[], columns: string[]): HTMLElement {
   const inner = keys.length > 1 ? keys.slice(1) : keys;
   const named = keys.includes(kLabel);
+  const decimals = columns.map((column) => decimalsOf(data.summary.settings.map(({ statistics }) => statistics[column]), resultOf(column).scale));
   const differs = (setting: CampaignSetting) =>
     differing(data, setting, keys).map((key) => `${inputOf(data, key).name}: ${valueOf(data, setting, key)}`).join(", ") || "–";
   const link = (setting: CampaignSetting, text: string) => el("a", { href: `#${anchorOf(data, setting)}`, title: "Its runs" }, text);
   const row = (setting: CampaignSetting) => [
     ...(inner.length > 0 ? inner.map((key, i) => (i === 0 ? link(setting, valueOf(data, setting, key)) : valueOf(data, setting, key))) : [link(setting, setting.setting)]),
     setting.n_failed > 0 ? `${setting.n_done} done, ${setting.n_failed} failed` : String(setting.n_done),
-    ...columns.map((column) => meanText(setting.statistics[column], resultOf(column).scale)),
+    ...columns.map((column, i) => meanText(setting.statistics[column], resultOf(column).scale, decimals[i])),
     ...(named ? [el("div", { class: "unlike" }, differs(setting))] : []),
     Object.entries(setting.warnings ?? {}).map(([id, n]) => `${id} (${n})`).join(", "),
   ];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One result of settings that only their names distinguish: a row for each, with its mean, interval and runs.
-import { meanText, resultOf, titleOf } from "./campaign_names";
+import { decimalsOf, meanText, resultOf, titleOf } from "./campaign_names";
 import type { Runs } from "./campaign_trends";
 import { el, svg } from "./dom";
 import { number } from "./format";
@@ -128,7 +128,7 @@ function row({ runs, column, nameOf }: Chart, setting: CampaignSetting, y: numbe
   const bar = ([low, high]: [number, number]) =>
     svg("path", { class: "interval", d: `M${at(low)} ${y}H${at(high)}${upright(at(low), y - 5, y + 5)}${upright(at(high), y - 5, y + 5)}` });
   return svg("g", { class: "setting" },
-    svg("title", {}, `${name}: ${meanText(of, scale)}, ${of?.n ?? 0} runs`),
+    svg("title", {}, `${name}: ${meanText(of, scale, decimalsOf([of], scale))}, ${of?.n ?? 0} runs`),
     svg("text", { x: x0 - 9, y: y + 4, "text-anchor": "end" }, name.length > most ? `${name.slice(0, most - 1)}…` : name),
     ...runs(setting.setting, column).map((value) => svg("circle", { class: "single", cx: at(value), cy: y, r: 2.6 })),
     of?.mean_95 && bar(of.mean_95),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inputs and results of a campaign as a reader calls them, in units that read well.
-import { number } from "./format";
+import { number, rounded } from "./format";
 import type { CampaignColumn, CampaignData, CampaignSetting, Schema, SchemaKey } from "./types";
 
 /** The name of a setting where it is used in place of inputs; no input has a key without a dot. */
@@ -90,13 +90,19 @@ export function valueOf(data: CampaignData, setting: CampaignSetting, key: strin
 export const settingName = (data: CampaignData, setting: CampaignSetting, keys: string[]): string =>
   keys.length === 0 ? setting.setting : keys.map((key) => `${inputOf(data, key).name} ${valueOf(data, setting, key)}`).join(", ");
 
-/** A mean with its interval, both to the digits that the interval leaves: "240.3 (231.4 to 249.1)". */
-export function meanText(column: CampaignColumn | undefined, scale: number): string {
+/** Decimals of all means of one result: two digits of the middle one of its intervals. Null where none has an interval. */
+export function decimalsOf(columns: (CampaignColumn | undefined)[], scale: number): number | null {
+  const halves = columns.flatMap((column) => (column?.mean_95 ? [0.5 * scale * (column.mean_95[1] - column.mean_95[0])] : []));
+  const known = halves.filter((half) => half > 0).sort((a, b) => a - b);
+  if (known.length === 0) return halves.length > 0 ? 2 : null;
+  return Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(known[Math.floor(known.length / 2)]))));
+}
+
+/** A mean with its interval: "240.3 (231.4 to 249.1)". */
+export function meanText(column: CampaignColumn | undefined, scale: number, decimals: number | null): string {
   if (!column || column.mean === null) return "none";
-  if (!column.mean_95) return `${number(column.mean * scale, 4)} (one run)`;
+  const text = (n: number) => (decimals === null ? number(n, 4) : rounded(n, decimals));
+  if (!column.mean_95) return `${text(column.mean * scale)} (one run)`;
   const [low, high] = column.mean_95.map((n) => n * scale);
-  const half = 0.5 * (high - low);
-  const decimals = half > 0 ? Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(half)))) : 2;
-  const text = (n: number) => n.toFixed(decimals).replace(/^-(0\.?0*)$/, "$1").replace("-", "−");
   return `${text(column.mean * scale)} (${text(low)} to ${text(high)})`;
 }

@@ -3,7 +3,7 @@
 import { type Crack, crackOf } from "./crack";
 import type { Run } from "./data";
 import { el } from "./dom";
-import { degrees, kPa, loadText, loadUnit, number, seconds } from "./format";
+import { degrees, kPa, loadText, loadUnit, number, ratio, seconds } from "./format";
 import { describePeak, type Peak } from "./loads";
 import { eventFigure } from "./plan";
 
@@ -91,8 +91,8 @@ export class EventCard {
       ...fitted("b", number(at("b"), 4), "m", "depth of the fitted trapezoid"),
       ["c", number(at("c"), 4), "m", "contact length"],
       ...fitted("θ", degrees(at("theta")), "°", "opening angle of the trapezoid"),
-      ["μ₁", number(at("mu1"), 4), "", "out-of-plane over in-plane normal force"],
-      ["μ₂", number(at("mu2"), 4), "", "in-plane friction over in-plane normal force"],
+      ["μ₁", ratio(at("mu1")), "", "out-of-plane over in-plane normal force"],
+      ["μ₂", ratio(at("mu2")), "", "in-plane friction over in-plane normal force"],
       ["p", kPa(at("p")), "kPa", "pressure on the contact"],
       ["p c h", loadText(force), loadUnit(), "in-plane normal force"],
       ["σ", kPa(at("sigma_max")), "kPa", "largest principal stress where failure is checked"],

@@ -6,13 +6,12 @@ export function number(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  const rounded = Number(value.toPrecision(digits));
   let text: string;
   if (size >= 1e7 || size < 1e-4) {
     const [mantissa, exponent] = value.toExponential(Math.max(0, digits - 1)).split("e");
     text = `${Number(mantissa)} × 10${superscript(Number(exponent))}`;
   } else {
-    text = size >= 10 ** (digits - 1) ? String(Math.round(value)) : trimmed(rounded, digits);
+    text = size >= 10 ** (digits - 1) ? String(Math.round(value)) : trimmed(Number(value.toPrecision(digits)), digits);
   }
   return text.replace(/-/g, "−");
 }
@@ -50,9 +49,13 @@ export function chooseUnits(largestLoad: number, largestEnergy: number): void {
   used.energies = scaleFor(largestEnergy);
 }
 
+/** So many decimals. What rounds to zero has no sign. */
+export const rounded = (value: number, decimals: number): string => value.toFixed(decimals).replace(/^-(0\.?0*)$/, "$1").replace("-", "−");
 /** One decimal. */
 export const fixed = (value: number | null | undefined): string =>
-  value === null || value === undefined || !Number.isFinite(value) ? "–" : value.toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−");
+  value === null || value === undefined || !Number.isFinite(value) ? "–" : rounded(value, 1);
+/** A ratio of two quantities that are never tiny: what is far below any measurement is the rounding of zero. */
+export const ratio = (value: number): string => number(Math.abs(value) < 1e-9 ? 0 : value, 4);
 const inUnit = (value: number | null | undefined, { one }: Scale): string => fixed(typeof value === "number" ? value / one : value);
 /** Newtons in loadUnit(), joules in energyUnit(). */
 export const loadText = (value: number | null | undefined): string => inUnit(value, used.loads);
@@ -61,11 +64,11 @@ export const inLoadUnit = (newtons: number): number => newtons / used.loads.one;
 export const loadUnit = (): string => `${used.loads.prefix}N`;
 export const energyUnit = (): string => `${used.energies.prefix}J`;
 export const kPa = (value: number): string => number(value / 1e3, 4);
-export const degrees = (radians: number): string => ((radians * 180) / Math.PI).toFixed(1).replace("-", "−");
-export const seconds = (value: number, decimals = 2): string => value.toFixed(decimals).replace("-", "−");
+export const degrees = (radians: number): string => rounded((radians * 180) / Math.PI, 1);
+export const seconds = (value: number, decimals = 2): string => rounded(value, decimals);
 /** How far `value` is from `of`, as "+3.1 %". */
 export const deviation = (value: number | null, of: number): string =>
   value === null ? "–" : percent(value / of - 1).replace(/^(?!−)/, "+");
-export const percent = (share: number): string => `${(100 * share).toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−")} %`;
+export const percent = (share: number): string => `${rounded(100 * share, 1)} %`;
 export const bytes = (n: number | undefined): string =>
   n === undefined ? "–" : n < 1e4 ? `${n} B` : n < 1e7 ? `${(n / 1e3).toFixed(0)} kB` : `${(n / 1e6).toFixed(1)} MB`;

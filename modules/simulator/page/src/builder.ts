@@ -5,7 +5,7 @@ import { number } from "../../../report/viewer/src/format";
 import { isOnPaper, onRefit } from "../../../report/viewer/src/paper";
 import { saveText } from "../../../report/viewer/src/save";
 import { tomlOf, typedOf, valueIn } from "./case_text";
-import { plausibleText } from "./plausible";
+import { plausibleText, sizeOfUnit } from "./plausible";
 import { iceChoice } from "./site_ice";
 import { type KeySchema, ofKind, readSchema, type Section, sectionsOf } from "./schema";
 import type { CaseStore } from "./store";
@@ -23,10 +23,22 @@ function hint(schema: KeySchema): string {
 /** A bound for the eye. */
 const bound = (value: number | undefined): string => (value === undefined ? "…" : number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, ""));
 
+/** Of the examples of a key: the unit in which a reader writes it, and its size in SI. Angles are written in degrees. */
+function writtenUnit(schema: KeySchema): { name: string; one: number } {
+  const si = schema["x-unit"] ?? "1";
+  const usual = [schema.default, ...(schema.examples ?? [])].find((value) => typeof value === "string" && /^[-+.\d]/.test(value));
+  const name = typeof usual === "string" ? (/^[-+.\d][-+.\deE]*\s*(.*)$/.exec(usual)?.[1] ?? "") : "";
+  return { name, one: name === "" ? NaN : sizeOfUnit(name, si) };
+}
+
 function meaning(schema: KeySchema): string {
-  const unit = schema["x-unit"] && schema["x-unit"] !== "1" ? `Unit: ${schema["x-unit"]}, or another that is written behind the number. ` : "";
+  const si = schema["x-unit"] ?? "1";
+  const own = writtenUnit(schema);
+  const isOther = Number.isFinite(own.one) && own.one !== 1;
+  const unit = si === "1" ? "" : isOther ? `Unit: ${own.name}, or another behind the number, which is in ${si} without one. ` : `Unit: ${si}, or another that is written behind the number. `;
   const [least, most] = [schema.minimum ?? schema.exclusiveMinimum, schema.maximum ?? schema.exclusiveMaximum];
-  const range = least === undefined && most === undefined ? "" : `Range: ${bound(least)} to ${bound(most)}. `;
+  const shown = (value: number | undefined) => bound(value === undefined || !isOther ? value : Number((value / own.one).toPrecision(6)));
+  const range = least === undefined && most === undefined ? "" : `Range: ${shown(least)} to ${shown(most)}${isOther ? ` ${own.name}` : ""}. `;
   const usual = schema.default === undefined || schema.default === "" || schema["x-of-kinds"] ? "" : `Default: ${hint(schema)}. `;
   const presets = Object.entries(schema["x-presets"] ?? {}).map(([name, value]) => `With the preset ${name}: ${JSON.stringify(value)}. `).join("");
   return `${unit}${range}${plausibleText(schema)}${usual}${presets}`.trim();

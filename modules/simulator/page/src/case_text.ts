@@ -74,6 +74,31 @@ function find(lines: string[], section: string, key: string): Place {
   return place;
 }
 
+/** All entries of a case with their sections, in their order. */
+export function entriesOf(toml: string): (Omit<Entry, "n"> & { section: string })[] {
+  const lines = toml.split("\n");
+  const all = [];
+  let section = "";
+  for (let i = 0; i < lines.length; ) {
+    const head = header(lines[i]);
+    const entry = head === null ? entryAt(lines, i) : null;
+    if (head !== null) section = head;
+    if (entry) all.push({ section, key: entry.key, value: entry.value, comment: entry.comment });
+    i += entry?.n ?? 1;
+  }
+  return all;
+}
+
+/** The text without a section. */
+export function withoutSection(toml: string, section: string): string {
+  const lines = toml.split("\n");
+  const { head } = find(lines, section, "");
+  if (head < 0) return toml;
+  const next = lines.findIndex((line, i) => i > head && header(line) !== null);
+  lines.splice(head, (next < 0 ? lines.length : next) - head);
+  return lines.join("\n");
+}
+
 /** The value of a key as it is written, on one line; null where it is not. */
 export function valueIn(toml: string, section: string, key: string): string | null {
   return find(toml.split("\n"), section, key).entry?.value ?? null;

@@ -15,7 +15,11 @@ const kUnits: Record<string, Record<string, number>> = {
   "kg m-3": { "kg/m3": 1, "kg m-3": 1, "kg/m^3": 1, "t/m3": 1e3 },
   "m s-1": { "m/s": 1, "m s-1": 1, "cm/s": 1e-2, "km/h": 1 / 3.6 },
   "1": { "": 1, percent: 1e-2, "%": 1e-2 },
+  rad: { rad: 1, deg: Math.PI / 180 },
 };
+
+/** A unit in SI; NaN where this page does not know it. */
+export const sizeOfUnit = (name: string, si: string): number => kUnits[si]?.[name] ?? NaN;
 
 /** A quantity in SI; NaN where this page does not know the unit. */
 function inSi(value: string, unit: string): number {

@@ -3,6 +3,7 @@
 import { type InputValue, parseToml } from "../../../report/viewer/src/data";
 import { typedOf, valueIn, withChange } from "./case_text";
 import { type Core, type Description, Refused } from "./core";
+import { readKinds, withKind } from "./kinds";
 import { complaintsOf } from "./plain_checks";
 import { namesABasin, type Warning, warningsOf } from "./plausible";
 import { meaningOf } from "./schema";
@@ -49,6 +50,7 @@ export class CaseStore {
 
   /** Writes a key. Comments on its former value go with that. */
   setKey(section: string, key: string, value: string | null): void {
+    if (section === "structure" && key === "kind" && value !== null) return this.alter(withKind(this.text, typedOf(value), readKinds()));
     const changed = withChange(this.text, section, key, value, meaningOf(section, key));
     if (changed === this.text || kWithoutLoad.includes(section)) this.set(changed);
     else this.alter(withoutIceName(changed, section, key));

@@ -16,6 +16,20 @@
 
 namespace brash::analysis {
 
+/// A value that loggers write for a missing one.
+struct MissingMarker {
+  double value = 0.0;  ///< in the unit of the file
+  std::size_t n = 0;   ///< samples that have it
+};
+
+/// The value of usual markers (-9999, 999, 1e30 and the like) that lies apart from all others: it is the least or the
+/// largest, further from the next one than a tenth of the range of the others.
+/// @param factor  one unit of the file in the unit of the values.
+std::optional<MissingMarker> missing_marker(std::span<const double> values, double factor);
+
+/// The warning of such a value; "" without one.
+std::string marker_warning(const std::optional<MissingMarker>& marker);
+
 /// One column of a file against time.
 struct LoadHistory {
   std::string column;
@@ -24,9 +38,11 @@ struct LoadHistory {
   std::size_t n_missing = 0;  ///< rows of the file in which the column has no value
   std::string unit{};         ///< of the values, as io::Series has it; empty: the file states none
   std::string file{};         ///< as given
+  std::string start{};        ///< the date at which the times are 0; empty: none is known
   bool is_negated = false;    ///< the file has it with the other sign, under the column's name without its -
   /// Limit of the sensor, found in the samples before a filter or a new step hid it; absent: look at `history`.
   std::optional<statistics::Clipping> clipping{};
+  std::optional<MissingMarker> marker{};   ///< that the file may have for missing values
   std::vector<model::Warning> warnings{};  ///< in the summary.json beside the file; none beside a measurement
   model::Origin origin{};                  ///< of the run that it is of; empty for a measurement
 };
@@ -35,11 +51,12 @@ struct LoadHistory {
 struct HistoryChoice {
   std::string column;  ///< with or without its unit; empty: the first one that is not the time
   double dt = 0.0;     ///< [s], for files without times, which others refuse; 0: the file has them
-  double from = 0.0;   ///< leave out samples before this time [s]
+  double from = 0.0;   ///< leave out samples before this time [s]; of a run, whose steps end at them, also at it
   bool has_from = false;
   bool after = false;             ///< leave out a sample at `from` too, as a summary does
   std::optional<double> to{};     ///< leave out samples after this time [s]
   double longest_interval = 0.0;  ///< a longer interval is a gap [s]; 0: five times the median
+  std::vector<double> missing{};  ///< values that stand for a missing one, in the unit of the file
   bool negate = false;            ///< turn the sign of the loads
   io::Notes notes{};              ///< hears which lines of a text were left out
 };

@@ -26,6 +26,10 @@ void write_history(const std::string& directory, const model::RunResults& result
 /// @throws InputError naming the file and the missing part, or the value that cannot have come from a run.
 model::RunResults read_results(const std::string& path);
 
+/// Reads the loads of a run from its run.nc or its history.csv, row by row.
+/// @throws InputError naming the file and a column that it lacks, or the place of a value that is missing.
+std::vector<model::LoadRow> read_loads(const std::string& path);
+
 /// The resolved case in a run.nc, as to_toml() wrote it. @throws InputError as read_results() does.
 std::string read_case_of(const std::string& path);
 

@@ -29,9 +29,11 @@ struct Series {
   /// Of the values: a unit of SI when the file's unit converts to newtons, newton metres, pascals, metres, metres a
   /// second (also squared), radians or, for times, seconds; else as the file has it; empty where it has none.
   std::vector<std::string> units;
+  std::vector<double> factors;               ///< one unit of the file in that unit
   std::vector<std::vector<double>> columns;  ///< shape=(n_names, n_rows); not a number where a value is missing
   /// Which column holds the times, in seconds and finite; absent when there is none.
   std::optional<std::size_t> time;
+  std::string start;  ///< the date at which the times are 0, as the file writes it; empty: the file has no dates
   std::vector<std::string> notes;  ///< of lines that were left out; messages without the file
   std::string row_prefix;          ///< with the row's number the place of a row, for messages: "FILE:", "FILE, sample "
   RowNumbers rows;                 ///< lines of the file, or samples from 1 on
@@ -57,8 +59,9 @@ struct Series {
 /// whose unit is "... since ..."), and all numeric variables along it alone. Fill values are missing, packed values are
 /// unpacked.
 ///
+/// @param missing  values that stand for a missing one, in the units of the file.
 /// @throws InputError naming file, line or variable, and the fault.
-Series read_series(const std::string& path);
+Series read_series(const std::string& path, const std::vector<double>& missing = {});
 
 /// Seconds in a unit such as "ms" or "hours since 2024-01-01"; empty: 1.
 /// @param place  for the message.

@@ -179,9 +179,9 @@ Run run(const model::Case& resolved, const RunOptions& options = {});
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);
 
-/// The window of a run's statistics. It begins as `output.statistics_from` says, or when the structure's last_axis()
-/// has passed the last floe of the initial crack: the program cut these floes, so their loads say nothing about the
-/// ice. The preset `paper`, and ice without that crack, begin at the initial edge. The window ends when the foremost
+/// The window of a run's statistics. It begins as `output.statistics_from` says, or when the structure's last_axis(),
+/// of a ship its stern if it passes in the run, has passed the last floe of the initial crack, which the program cut.
+/// The preset `paper`, and ice without that crack, begin at the initial edge. The window ends when the foremost
 /// point of a structure that goes where the case says leaves fixed level ice.
 /// @param initial_crack_radius  of DerivedScales [m].
 StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius);
