@@ -15,7 +15,6 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/formats/ledger.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/lines.hpp"
 #include "brash/geometry/repair.hpp"
@@ -30,7 +29,6 @@ namespace brash::cli {
 namespace {
 
 using analysis::CrackRun;
-using geometry::ExactArea;
 using geometry::Feature;
 using geometry::IceSheet;
 using geometry::Origin;
@@ -101,21 +99,6 @@ geometry::Lines read_lines(const std::string& path, const SheetFile& sheet) {
   refuse_other_crs(path, lines->crs, sheet);
   lines->cracks = geometry::beyond_free_ends(std::move(lines->cracks));
   return *std::move(lines);
-}
-
-std::string text_of(const CrackRun& run, const Origin& origin) {
-  const geometry::Ledger ledger = run.ledger();
-  return formats::ledger_text(
-      {{"initial", ledger.initial},
-       {"sheet", ledger.sheet},
-       {"floes", ledger.floes},
-       {"crushed", ledger.crushed},
-       {"deleted", ledger.deleted},
-       {"brash", ledger.brash},
-       {"snap", ledger.snap},
-       {"missing", ledger.missing()}},
-      ledger.closes(),
-      {{"n_rounded", ledger.n_rounded}, {"n_sheet_parts", run.sheet().size()}, {"n_floes", run.n_floes()}}, origin);
 }
 
 struct CrackOptions {
@@ -214,7 +197,7 @@ void crack(const CrackOptions& options) {
   apply_cuts(options, sheet, run);
   map.features = run.features();
   if (!options.output.empty()) write_map_file(options.output, map);
-  print_data(text_of(run, map.origin) + "\n");
+  print_data(formats::ledger_text(run.ledger(), run.sheet().size(), run.n_floes(), map.origin) + "\n");
   say_place(options.sheet, map, !options.origin.empty());
   if (!run.ledger().closes()) {
     throw RunError(fmt::format("crack: the ledger misses {} m2", run.ledger().missing().to_string()));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/formats/ledger.hpp"
+#include "ledger.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include "brash/formats/maps.hpp"
 
 namespace brash::formats {
 
@@ -13,6 +15,20 @@ std::string ledger_text(std::initializer_list<std::pair<const char*, geometry::E
   json.update(rest);
   if (origin != geometry::Origin{}) json["origin"] = {origin.x.to_string(), origin.y.to_string()};
   return json.dump(2);
+}
+
+std::string ledger_text(const geometry::Ledger& ledger, std::size_t n_sheet_parts, std::size_t n_floes,
+                        const geometry::Origin& origin) {
+  return ledger_text({{"initial", ledger.initial},
+                      {"sheet", ledger.sheet},
+                      {"floes", ledger.floes},
+                      {"crushed", ledger.crushed},
+                      {"deleted", ledger.deleted},
+                      {"brash", ledger.brash},
+                      {"snap", ledger.snap},
+                      {"missing", ledger.missing()}},
+                     ledger.closes(),
+                     {{"n_rounded", ledger.n_rounded}, {"n_sheet_parts", n_sheet_parts}, {"n_floes", n_floes}}, origin);
 }
 
 }  // namespace brash::formats

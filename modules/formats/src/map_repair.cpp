@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "brash/formats/ledger.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/repair.hpp"
+#include "ledger.hpp"
 
 namespace brash::formats {
 namespace {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "brash/formats/ledger.hpp"
 #include "brash/formats/maps.hpp"
 #include "brash/geometry/repair.hpp"
 #include "brash/geometry/unite.hpp"
+#include "ledger.hpp"
 
 namespace brash::formats {
 namespace {

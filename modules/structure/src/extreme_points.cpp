@@ -35,7 +35,8 @@ void divide(std::span<Vec3> points, std::vector<Block>& blocks) {
   const Vec3 size = whole.most - whole.least;
   const auto along = size.x >= std::max(size.y, size.z) ? &Vec3::x : size.y >= size.z ? &Vec3::y : &Vec3::z;
   const std::size_t half = points.size() / 2;
-  std::ranges::nth_element(points, points.begin() + static_cast<std::ptrdiff_t>(half), {}, along);
+  std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end(),
+                   [along](const Vec3& a, const Vec3& b) { return a.*along < b.*along; });
   divide(points.first(half), blocks);
   divide(points.subspan(half), blocks);
 }
@@ -63,7 +64,7 @@ Vec3 farthest(Vec3 towards, const std::vector<Block>& blocks) {
 
 void keep_one_of_each(std::vector<Vec3>& points) {
   std::ranges::sort(points, {}, [](const Vec3& v) { return std::tuple(v.x, v.y, v.z); });
-  points.erase(std::ranges::unique(points).begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
 Vec3 spread_direction(int i, int n) {
@@ -76,6 +77,7 @@ std::vector<Vec3> extreme_points(std::vector<Vec3> points, int n) {
   std::vector<Block> blocks;
   divide(points, blocks);
   std::vector<Vec3> far;
+  far.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) far.push_back(farthest(spread_direction(i, n), blocks));
   keep_one_of_each(far);
   return far;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "brash/formats/replay.hpp"
+#include "brash/geometry/ledger.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/io/file_names.hpp"
 
@@ -46,6 +47,10 @@ void take_crs(geometry::Map& map, const std::string& name);
 /// @param time  of the frame at it, or of the last one before it [s].
 /// @throws InputError when the run has no frame at or before `time`.
 geometry::Map ice_map(const Replay& run, double time);
+
+/// The ledger of cuts, the number of parts of the sheet and of floes, and the origin, as JSON.
+std::string ledger_text(const geometry::Ledger& ledger, std::size_t n_sheet_parts, std::size_t n_floes,
+                        const geometry::Origin& origin);
 
 /// Unites the polygons of a map, the polygons of each kind with one another. Ice of floes goes; `notes` hears so.
 /// @param path  of the map, for messages.
