@@ -124,7 +124,7 @@ def main():
         counts[kind, "killed" if runs.kill(kind, killed) else "was done before it could be killed"] += 1
         if fault := runs.fault_after(kind, killed):
             n_faults += 1
-            print(f"kill {i}, {kind}: {fault}")
+            print(f"kill {i}, {kind}: {fault}", flush=True)
         else:
             shutil.rmtree(killed)
     for (kind, end), n in sorted(counts.items()):

@@ -145,10 +145,12 @@ void NetcdfWriter::column(const std::string& name, const std::string& along, con
   describe(variable, name, meaning);
   if (length == 0) return;
   const auto all = std::make_shared<std::vector<T>>();
-  const auto take = [name, along, length, all](const NetcdfReader& earlier) {
+  const auto take = [name, along, length, all](const NetcdfReader& file, const Continued& earlier) {
+    const auto n = earlier.lengths.find(along);
+    if (n == earlier.lengths.end()) return;
+    std::vector<T> part(n->second);
+    if (earlier.variables.contains(name)) file.read(name, along, part);
     all->reserve(length);
-    std::vector<T> part(earlier.has_dimension(along) ? earlier.length(along) : 0);
-    if (!part.empty() && earlier.has(name)) earlier.read(name, along, part);
     all->insert(all->end(), part.begin(), part.end());
   };
   const auto write = [this, name, variable, length, all, values = std::move(values)] {
@@ -229,7 +231,7 @@ FileImage NetcdfWriter::finish() {
     for (const Continued& earlier : continued_) {
       const NetcdfReader file(earlier.path);
       for (auto one = first; one != next; ++one)
-        if (one->take) one->take(file);
+        if (one->take) one->take(file, earlier);
     }
     for (auto one = first; one != next; ++one) {
       one->write();
@@ -297,11 +299,6 @@ int NetcdfReader::find(const std::string& name, const std::string& dimension, in
 bool NetcdfReader::has(const std::string& name) const {
   int variable = 0;
   return nc_inq_varid(file_, name.c_str(), &variable) == NC_NOERR;
-}
-
-bool NetcdfReader::has_dimension(const std::string& name) const {
-  int id = 0;
-  return nc_inq_dimid(file_, name.c_str(), &id) == NC_NOERR;
 }
 
 std::map<std::string, std::size_t> NetcdfReader::dimensions() const {

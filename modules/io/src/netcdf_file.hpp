@@ -86,18 +86,19 @@ class NetcdfWriter {
   FileImage finish();
 
  private:
-  /// A variable that has no values yet: they wait until all variables are there, since each turn from making a variable
-  /// to writing one would go through all of them in the library.
-  struct Pending {
-    std::size_t n_bytes = 0;
-    std::function<void(const NetcdfReader&)> take{};  ///< takes the values of a file that this one continues
-    std::function<void()> write{};
-  };
   /// An earlier file: the lengths of its dimensions, and its variables.
   struct Continued {
     std::string path;
     std::map<std::string, std::size_t> lengths;
     std::set<std::string> variables;
+  };
+  /// A variable that has no values yet: they wait until all variables are there, since each turn from making a variable
+  /// to writing one would go through all of them in the library.
+  struct Pending {
+    std::size_t n_bytes = 0;
+    std::function<void(const NetcdfReader& file, const Continued&)>
+        take{};  ///< values of a file that this one continues
+    std::function<void()> write{};
   };
 
   std::size_t length_before(const std::string& dimension) const;
@@ -125,7 +126,6 @@ class NetcdfReader {
   /// Never more than the file's bytes can hold.
   std::size_t length(const std::string& dimension) const;
   bool has(const std::string& name) const;
-  bool has_dimension(const std::string& name) const;
   std::map<std::string, std::size_t> dimensions() const;
   std::set<std::string> variables() const;
   /// Reads the one-dimensional variable `name` along `dimension`.
