@@ -12,9 +12,9 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/failure/criterion.hpp"
-#include "brash/failure/hump_sample.hpp"
 #include "brash/failure/response_model.hpp"
 #include "brash/failure/unit_profiles.hpp"
+#include "brash/training/hump_training.hpp"
 
 namespace {
 
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(the_higher_of_the_two_humps_is_the_answer_of_the_superposit
   std::array<int, 2> answers{};
   for (const HeldOutRow& row : held_out_rows()) {
     const meta_model::Input& x = row.input;
-    const auto sample = hump_sample(model, x, 0.1);
+    const auto sample = training::hump_sample(model, x, 0.1);
     const auto whole =
         plate::respond(to_unit_profiles(model.predict({x.b_lc, x.c_lc, x.theta, 0.1})), 0.1, x.mu1, x.mu2);
     const std::size_t hump = sample.humps[1].output.sigma_over_p > sample.humps[0].output.sigma_over_p ? 1 : 0;
