@@ -116,20 +116,22 @@ std::vector<double> times_of(const io::Series& series, const HistoryChoice& choi
   return times;
 }
 
-/// @param slack  of times that somebody gave [s]; a summary's is exact.
-bool is_early(double time, const HistoryChoice& choice, double slack) {
+/// @param ends_steps  whether the samples are the ends of steps, as of a run: one rule, whoever says where it begins.
+/// @param slack       of other times that somebody gave [s].
+bool is_early(double time, const HistoryChoice& choice, bool ends_steps, double slack) {
   if (!choice.has_from) return false;
-  return choice.after ? time <= choice.from : time < choice.from - slack;
+  return ends_steps ? time <= choice.from : time < choice.from - slack;
 }
 
 /// Leaves out the rows outside the span of `choice` and the ones without a value.
 void keep_chosen(LoadHistory& load, const HistoryChoice& choice) {
+  const bool ends_steps = choice.after || io::start_beside(load.file).has_value();
   std::vector<double>&times = load.history.times, &values = load.history.values;
   // A thousandth of a step absorbs the rounding of printed times.
   const double slack = 1e-3 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   std::size_t kept = 0;
   for (std::size_t row = 0; row < values.size(); ++row) {
-    if (is_early(times[row], choice, slack)) continue;
+    if (is_early(times[row], choice, ends_steps, slack)) continue;
     if (choice.to && times[row] > *choice.to + slack) continue;
     if (std::isnan(values[row])) {
       ++load.n_missing;
@@ -228,11 +230,8 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   return std::move(read_histories(path, choice, {choice.column}).front());
 }
 
-std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& given,
+std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
                                         const std::vector<std::string>& columns) {
-  HistoryChoice choice = given;
-  // Statistics of a run have one rule, whoever says where they begin.
-  choice.after = choice.has_from && (choice.after || io::start_beside(path).has_value());
   if (std::isnan(choice.from))
     throw InputError(Complaint{path, fmt::format("--from {} is not a time", choice.from), "seconds", "give a number"});
   if (choice.to && std::isnan(*choice.to))
