@@ -286,7 +286,7 @@ def legal(brash, seed, folder, tries=8):
 
 def spoilt(draw, path, of, value):
     """Texts of TOML that a key does not take."""
-    texts = ["nan", "inf", "[]", "{}", "2024-02-01", '"3 furlongs per parsec"', '""']
+    texts = ["nan", "inf", "[]", "{}", "2024-02-01", '"3 bananas"', '""']
     kind = of["type"][0] if isinstance(of["type"], list) else of["type"]
     if kind == "number":
         texts += [f'"{value if isinstance(value, (int, float)) else 1} kat"', "true", '"0,5 m"']
