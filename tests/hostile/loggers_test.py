@@ -49,7 +49,7 @@ class Loggers(Hostile):
         self.assert_read("timestamp,Fx_kN\n" + self.rows(lambda i: date(i) + "Z"))
         for bad in ("2024-02-30T00:00:00", "2024-02-28T25:00:00", "28.02.2024 10:00:00", "10:00:00", "2024-02-28"):
             (self.path / "logger.csv").write_text("time,Fx\n" + f"{bad},1\n" * 3)
-            self.refused("stats", "logger.csv", saying="is not a finite number")
+            self.refused("stats", "logger.csv", saying="is not a time that is read")
 
     def test_a_preamble_is_left_out_with_a_note_if_names_follow(self):
         for preamble in ("Logger 4711\n", "Station,Adventdalen\n", "Logger 4711, firmware 2.0\nStart,2024-02-28T10:00:00\n",
