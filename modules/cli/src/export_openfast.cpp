@@ -89,6 +89,7 @@ Loads steady_loads(const fs::path& run, const std::optional<double>& from) {
 void join_replicates(const LoadExport& o, const std::string& setting, const std::vector<std::string>& cases,
                      const fs::path& folder) {
   std::vector<Loads> replicates;
+  replicates.reserve(cases.size());
   for (const std::string& name : cases) replicates.push_back(steady_loads(fs::path(o.given) / "cases" / name, o.from));
   formats::JoinedLoads all = formats::joined(replicates, o.join);
   const double step = all.loads[1].time - all.loads[0].time, duration = all.loads.back().time;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 /// The files with the earlier rows of a run, beside its checkpoint and numbered from the oldest on.
 class EarlierRows {
  public:
-  explicit EarlierRows(const std::string& checkpoint) : checkpoint_(checkpoint) {}
+  explicit EarlierRows(std::string checkpoint) : checkpoint_(std::move(checkpoint)) {}
 
   void keep(const model::RunResults& rows) {
     const std::string path = path_of(digests_.size());

@@ -70,7 +70,7 @@ Panels exposure_panels(const analysis::Design& design, const analysis::DesignSet
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].hours.empty()) continue;
     const double left = 85.0 + kPanel * static_cast<double>(n % kColumns);
-    const double top = 50.0 + kPanelHeight * static_cast<double>(n / kColumns);
+    const double top = 50.0 + kPanelHeight * std::floor(static_cast<double>(n) / kColumns);
     Chart chart(left, top, 230.0, 160.0, design.states[i].setting->name, {"exposure [h]", first, last, true},
                 {label(design), low, high});
     for (double& end : all[i].upper) end = std::min(end, 2.0 * high);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "brash/core/constants.hpp"
@@ -206,8 +207,8 @@ StatisticsWindow statistics_window(const model::Case& resolved, double initial_c
   return window_of(resolved, *hull, initial_crack_radius, course_of(resolved, *hull));
 }
 
-Setup::Setup(const model::Case& of)
-    : resolved(of),
+Setup::Setup(model::Case of)
+    : resolved(std::move(of)),
       ice(ice_properties(resolved)),
       criterion(make_criterion(resolved, ice)),
       hull(structure::make_hull(resolved.structure)),

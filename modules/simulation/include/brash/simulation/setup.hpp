@@ -27,7 +27,7 @@ struct Course {
 /// A case and what follows from it before the first step, each made once.
 struct Setup {
   /// @throws InputError when the failure model cannot be read.
-  explicit Setup(const model::Case& resolved);
+  explicit Setup(model::Case resolved);
   Setup(const Setup&) = delete;
   Setup& operator=(const Setup&) = delete;
 
