@@ -109,8 +109,11 @@ std::string years_chart(const analysis::Design& design, const analysis::DesignSe
   chart.band(years, lower, upper, kLineColours[0]);
   chart.line(years, level, kLineColours[0], 1.5);
   for (const double period : asked.years) chart.line({period, period}, {0.0, high}, "#bbb");
-  if (design.json.contains("full_crushing"))
-    chart.line({first, last}, std::vector<double>(2, design.json["full_crushing"]["horizontal"].get<double>()), "#c00");
+  if (design.json.contains("full_crushing")) {
+    const double crushing = design.json["full_crushing"]["horizontal"].get<double>();
+    chart.line({first, last}, {crushing, crushing}, "#c00");
+    if (crushing < high) chart.words(1.1 * first, 1.02 * crushing, "the ice over the full width crushes", "#c00");
+  }
   return chart.svg();
 }
 
