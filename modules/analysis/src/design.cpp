@@ -89,7 +89,7 @@ void answer(const SharedTail& tail, Question& question) {
 /// Whether the closed forms, which are of the horizontal load, stand beside a column.
 bool is_horizontal(const std::string& column) { return column == "Fx" || column == "Fh"; }
 
-/// The horizontal loads of the formulas that fit a structure, and of its contacts that all crush.
+/// The horizontal loads of the formulas that fit a structure.
 ordered_json forms_json(const model::Case& resolved) {
   ordered_json forms = ordered_json::array();
   const ordered_json all = closed_form_loads(resolved);
@@ -156,7 +156,7 @@ ordered_json tail_json(const SharedTail& tail) {
           {"one_shape", {{"statistic", test.statistic}, {"p", test.p_value}}}};
 }
 
-/// The largest load that any state's contacts can crush at; nothing where a case is not known.
+/// The largest crushing of the ice over the full width, of all states that last; nothing where a case is not known.
 ordered_json full_crushing(const ordered_json& settings) {
   ordered_json most;
   for (const ordered_json& s : settings)

@@ -59,12 +59,6 @@ Peaks excesses_of(const StatePeaks& state) {
 
 }  // namespace
 
-std::size_t StatePeaks::size() const {
-  std::size_t n = 0;
-  for (const Peaks& record : over) n += record.size();
-  return n;
-}
-
 double StatePeaks::duration() const { return sum_of(durations); }
 
 SharedTail::Scale SharedTail::best_scale(const Peaks& y, double shape) {
@@ -131,7 +125,7 @@ tl::expected<SharedTail, FitError> SharedTail::fit(std::vector<StatePeaks> state
     BRASH_EXPECTS(state.over.size() == state.durations.size() && state.duration() > 0.0, state.over.size());
     tail.excesses_.push_back(excesses_of(state));
     const Peaks& y = tail.excesses_.back();
-    BRASH_EXPECTS(y.size() >= SharedTail::kFewestOfState && std::ranges::min(y) > 0.0, y.size());
+    BRASH_EXPECTS(y.size() >= kFewestOfState && std::ranges::min(y) > 0.0, y.size());
     if (!is_spread(y)) return tl::unexpected(FitError{"all peaks of a state are equal"});
   }
   if (tail.n_peaks() < kFewestPeaks)

@@ -18,7 +18,7 @@ using namespace statistics;
 constexpr int kReplicates = 6, kCycles = 40;
 constexpr double kHour = 3600.0;   // [s]
 constexpr double kAnnual = 0.1;    // probability that is asked for
-constexpr double kYears = 50.0;    // return period that is asked for
+constexpr double kYears = 5e4;     // return period that is asked for: some 1e5 times the histories of a state
 constexpr double kExponent = 5.0;  // of equivalent loads
 constexpr double kExposure = 2.0;  // [h], 30 times the replicates of a state
 /// Loads of the three states, as factors, and the hours that they last a year.
@@ -91,7 +91,7 @@ void study_design(const Process& process, int records, Table& table) {
       const double years = annual["years"];
       const double truth = level_of_years(process, cycle, years);
       const bool far = years > kYears / 2.0;
-      table.add(process.name, far ? "design: level of fifty years" : "design: annual level of three states",
+      table.add(process.name, far ? "design: level far beyond the histories" : "design: annual level of three states",
                 annual["level_95"], truth);
     }
     table.add(process.name, "design: equivalent load of three states", found["fatigue"][0]["equivalent_load_95"], load);

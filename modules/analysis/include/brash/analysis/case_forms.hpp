@@ -23,7 +23,7 @@ tl::expected<standards::NevelLoad, standards::NotApplicable> nevel_of(const mode
 tl::expected<standards::CrushingLoad, standards::NotApplicable> crushing_of(const model::Case& resolved,
                                                                             double strength_coefficient);
 
-/// Compressive strength over the full width and thickness [N]: contacts of the ice of `resolved` bear no more together.
+/// Compressive strength of the ice of `resolved` over the full width of its structure and the thickness [N].
 double full_crushing_of(const model::Case& resolved);
 
 /// Width and densities of `resolved` for a ridge; the ridge's own numbers are 0.

@@ -16,8 +16,7 @@ struct StatePeaks {
   std::vector<std::vector<double>> over;  ///< independent peaks > u of each record
   std::vector<double> durations;          ///< of the records [s]
 
-  std::size_t size() const;  ///< of all peaks
-  double duration() const;   ///< of all records [s]
+  double duration() const;  ///< of all records [s]
 };
 
 /// A load that is exceeded `expected` times on average in `seconds` of each state; shape=(n_states,).
