@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace brash::simulation {
 namespace {
 
 /// Pieces of the wetted surface, about: the share of a region then errs by a few per cent.
 constexpr double kPieces = 1000.0;
+/// Side of the cubes in which places are looked for, over a place's longest side.
+constexpr double kCell = 1.0;
+/// Share of a length by which rounding may move a place from one side of a floe's face to the other, amply.
+constexpr double kRounding = 1e-9;
 
 struct Triangle {
   Vec3 a, b, c;
@@ -46,9 +51,9 @@ bool is_in(const Prism& prism, Vec3 p) {
 
 /// Of a sphere about the body's origin that holds the prism [m].
 double radius(const Prism& prism) {
-  double most = 0.0;
-  for (const Vec2 corner : prism.rings.front()) most = std::max(most, norm(corner));
-  return std::hypot(most, 0.5 * prism.thickness);
+  double most = 0.0;  // squared
+  for (const Vec2 corner : prism.rings.front()) most = std::max(most, dot(corner, corner));
+  return (1.0 + kRounding) * std::sqrt(most + 0.25 * prism.thickness * prism.thickness);
 }
 
 }  // namespace
@@ -72,22 +77,45 @@ Coverage::Coverage(const structure::Hull& hull, const structure::Regions& region
       reach_ = std::max(reach_, norm(places_.back().ahead));
     });
   });
+  gather_cells(kCell * longest);
+}
+
+/// The places in each cube of side `side` [m].
+void Coverage::gather_cells(double side) {
+  std::map<std::array<double, 3>, std::vector<std::size_t>> cubes;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Vec3 at = places_[i].ahead / side;
+    cubes[{std::floor(at.x), std::floor(at.y), std::floor(at.z)}].push_back(i);
+  }
+  const double radius = (0.5 * std::sqrt(3.0) + kRounding) * side;
+  for (auto& [cube, places] : cubes)  // in the order of x
+    cells_.push_back({side * (Vec3{cube[0], cube[1], cube[2]} + Vec3{0.5, 0.5, 0.5}), radius, std::move(places)});
 }
 
 CoveredShares Coverage::by(const rigid_body::World& world, const FloePopulation& floes, const Pose& structure) const {
   CoveredShares covered{};
   if (places_.empty()) return covered;
-  std::vector<bool> is_covered(places_.size());
+  std::vector<char> is_covered(places_.size());
   for (const BodyId body : world.floes()) {
     const Pose pose = world.pose(body);
     const Prism& prism = floes.at(body).prism;
     const double size = radius(prism);
     const Vec3 centre = to_body(structure, pose.position);
     if (norm(centre) > reach_ + size) continue;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const Vec3 apart = places_[i].ahead - centre;
-      if (is_covered[i] || dot(apart, apart) > size * size) continue;
-      is_covered[i] = is_in(prism, to_body(pose, to_world(structure, places_[i].ahead)));
+    const Vec3 upwards = rotate(conjugate(structure.rotation), rotate(pose.rotation, {0.0, 0.0, 1.0}));
+    const double half = 0.5 * prism.thickness + kRounding * (reach_ + size);
+    const auto x = [](const Cell& cell) { return cell.centre.x; };
+    const double far = size + cells_.front().radius;
+    for (auto at = std::ranges::lower_bound(cells_, centre.x - far, {}, x);
+         at != cells_.end() && x(*at) <= centre.x + far; ++at) {
+      const Cell& cell = *at;
+      const Vec3 to_cell = cell.centre - centre;
+      if (std::abs(dot(to_cell, upwards)) > half + cell.radius || dot(to_cell, to_cell) > far * far) continue;
+      for (const std::size_t i : cell.places) {
+        const Vec3 ahead = places_[i].ahead, apart = ahead - centre;
+        if (is_covered[i] || std::abs(dot(apart, upwards)) > half || dot(apart, apart) > size * size) continue;
+        is_covered[i] = is_in(prism, to_body(pose, to_world(structure, ahead)));
+      }
     }
   }
   for (std::size_t i = 0; i < places_.size(); ++i)

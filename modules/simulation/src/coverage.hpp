@@ -35,9 +35,18 @@ class Coverage {
     double area = 0.0;   ///< [m2]
     std::size_t region;  ///< model::HullRegion
   };
+  /// The places in a cube.
+  struct Cell {
+    Vec3 centre{};        ///< hull's frame [m]
+    double radius = 0.0;  ///< of a sphere that holds the cube [m]
+    std::vector<std::size_t> places;
+  };
+  void gather_cells(double side);
+
   std::vector<Place> places_;
-  CoveredShares area_{};  ///< of each region [m2]
-  double reach_ = 0.0;    ///< from the hull's origin to the farthest place [m]
+  std::vector<Cell> cells_;  ///< from stern to bow
+  CoveredShares area_{};     ///< of each region [m2]
+  double reach_ = 0.0;       ///< from the hull's origin to the farthest place [m]
 };
 
 }  // namespace brash::simulation
