@@ -22,13 +22,13 @@
 #include <thread>
 
 #include "brash/advice/advice.hpp"
+#include "brash/analysis/summary_tables.hpp"
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/report/report.hpp"
-#include "campaign_table.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "requests_to_end.hpp"
@@ -171,7 +171,7 @@ void say_repeated(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
   std::vector<std::string> names;
   for (const auto& setting : summary.at("settings"))
-    if (const int n = n_repeated(setting); n > 0)
+    if (const int n = analysis::n_repeated(setting); n > 0)
       names.push_back(fmt::format("{} of {} in {}", n, setting.at("n_done").get<int>(),
                                   printable(setting.at("setting").get<std::string>())));
   if (names.empty()) return;
@@ -182,7 +182,7 @@ void say_repeated(const std::string& summary_file) {
 
 /// Prints the tables of a campaign and makes its page.
 void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts) {
-  if (!options.json) print("{}\n", means_table(campaign.directory + "/summary.json"));
+  if (!options.json) print("{}\n", analysis::means_table(campaign.directory + "/summary.json"));
   print_status(counts, options.json);
   if (!options.json) print("results in {}\n", options.directory);
   const std::string page = report::has_page() ? report::write_report(options.directory) : "";

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "table.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -8,21 +6,19 @@
 
 #include "brash/analysis/closed_forms.hpp"
 #include "brash/analysis/history_statistics.hpp"
+#include "brash/analysis/summary_tables.hpp"
 #include "brash/analysis/tables.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/simulation/warnings.hpp"
-#include "messages.hpp"
 
-namespace brash::cli {
+namespace brash::analysis {
 namespace {
-
-using analysis::TableUnit;
 
 /// The unit of a run's loads.
 TableUnit load_unit(const simulation::RunSummary& s) {
   const std::array loads{s.mean_horizontal_whole,  s.mean_vertical_whole,      s.maximum_horizontal_whole,
                          s.maximum_vertical_whole, s.minimum_horizontal_whole, s.minimum_vertical_whole};
-  return analysis::unit_for(loads, "N");
+  return unit_for(loads, "N");
 }
 
 std::string load_row(const simulation::RunSummary& run, const char* name, const statistics::Summary& s,
@@ -31,7 +27,7 @@ std::string load_row(const simulation::RunSummary& run, const char* name, const 
       !simulation::bears_interval(run, s)
           ? "[no interval]"
           : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / unit.one, s.mean_95.upper / unit.one);
-  const bool is_lower = analysis::acts_downwards(s);
+  const bool is_lower = acts_downwards(s);
   return fmt::format("  {:<11}{:>8.1f}  {:<16}{:>8.1f}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
                      s.mean / unit.one, interval, s.effective_sample_size, s.standard_deviation / unit.one,
                      (is_lower ? s.quantile_1 : s.quantile_99) / unit.one,
@@ -61,10 +57,10 @@ std::string loads(const simulation::RunSummary& s) {
   text += "                 mean  95 % interval    samples     dev.     99 %       max   crushing  contact  friction\n";
   text += load_row(s, "horizontal", s.horizontal, s.horizontal_split, unit);
   text += load_row(s, "vertical", s.vertical, s.vertical_split, unit);
-  if (analysis::acts_downwards(s.horizontal) || analysis::acts_downwards(s.vertical))
+  if (acts_downwards(s.horizontal) || acts_downwards(s.vertical))
     text += "  note: 99 % and max of a negative load are of its lower end\n";
   if (!s.horizontal.long_enough && simulation::bears_interval(s, s.horizontal))
-    text += fmt::format("  note: the history is {}\n", analysis::kTooShort);
+    text += fmt::format("  note: the history is {}\n", kTooShort);
   return text + whole;
 }
 
@@ -97,14 +93,14 @@ std::string difference(const simulation::RunSummary& s, double measured, const T
 /// Other people's numbers for the same structure and ice. A ship's regression gives a mean, as a run does, the other
 /// closed forms give peaks and are of fixed structures.
 std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
-  const auto lindqvist = analysis::lindqvist_of(resolved);
+  const auto lindqvist = lindqvist_of(resolved);
   const bool is_ship = lindqvist && *lindqvist;
-  const auto croasdale = analysis::croasdale_of(resolved);
-  const auto ralston = analysis::ralston_of(resolved, standards::Yield::kTresca);
+  const auto croasdale = croasdale_of(resolved);
+  const auto ralston = ralston_of(resolved, standards::Yield::kTresca);
   const std::array largest{is_ship ? (*lindqvist)->total : 0.0, croasdale && !is_ship ? croasdale->horizontal : 0.0,
                            ralston && !is_ship ? ralston->horizontal : 0.0,
                            resolved.reference.mean_horizontal.value_or(0.0)};
-  const TableUnit unit = analysis::unit_for(largest, "N");
+  const TableUnit unit = unit_for(largest, "N");
   std::string text = fmt::format("for comparison, horizontal{} [{}]\n",
                                  resolved.structure.legs.size() < 2 ? "" : ", on one leg alone", unit.name);
   if (is_ship)
@@ -183,7 +179,7 @@ std::string energy(const simulation::EnergyBalance& e) {
   const double share = e.work != 0.0 ? 100.0 * e.error / e.work : 0.0;
   const std::array energies{e.work,    e.kinetic_energy,    e.potential_energy, e.removed_energy, l.edge,
                             l.bending, l.structure_contact, l.sheet_contact,    l.floe_contact,   l.drag};
-  const TableUnit unit = analysis::unit_for(energies, "J");
+  const TableUnit unit = unit_for(energies, "J");
   std::string text = fmt::format(
       "energy [{}]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} "
       "crushing the\n    sheet's edge + {:.1f} bending it + contacts and water below + {:.1f} with ice that was "
@@ -228,10 +224,6 @@ std::string warnings_text(const std::vector<model::Warning>& warnings) {
 
 }  // namespace
 
-void print_warnings(const std::vector<model::Warning>& warnings) {
-  for (const model::Warning& warning : warnings) say("warning: {}: {}\n", warning.id, warning.text);
-}
-
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n{}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed, io::origin_line(io::origin_of(resolved))) +
@@ -240,4 +232,4 @@ std::string run_table(const model::Case& resolved, const simulation::Run& run) {
          energy(run.summary.energy) + residual(run.summary) + speed(resolved, run);
 }
 
-}  // namespace brash::cli
+}  // namespace brash::analysis

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "campaign_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,11 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "brash/analysis/summary_tables.hpp"
 #include "brash/analysis/tables.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 
-namespace brash::cli {
+namespace brash::analysis {
 namespace {
 
 /// How many cases of a setting are done without a mean load, and why; nothing where all have one.
@@ -41,22 +40,20 @@ std::vector<std::string> shown_columns(const nlohmann::ordered_json& statistics)
 }
 
 /// The unit in which a column is shown: newtons and joules by the size of the largest mean, others as they are.
-std::map<std::string, analysis::TableUnit> units_of(const nlohmann::ordered_json& settings) {
+std::map<std::string, TableUnit> units_of(const nlohmann::ordered_json& settings) {
   std::map<std::string, std::vector<double>> means;  // by unit
   for (const auto& setting : settings)
     for (const auto& [column, statistic] : setting.at("statistics").items())
       if (statistic.at("mean").is_number())
         means[statistic.value("unit", "1")].push_back(statistic.at("mean").get<double>());
-  std::map<std::string, analysis::TableUnit> units;
+  std::map<std::string, TableUnit> units;
   for (const auto& [unit, values] : means)
-    units[unit] = unit == "N" || unit == "J" ? analysis::unit_for(values, unit.c_str())
-                                             : analysis::TableUnit{1.0, unit == "1" ? "" : unit};
+    units[unit] = unit == "N" || unit == "J" ? unit_for(values, unit.c_str()) : TableUnit{1.0, unit == "1" ? "" : unit};
   return units;
 }
 
 /// "120.4 kN  [101.3, 139.5]". Where a number cannot be negative, neither can an end of its interval.
-std::string mean_text(const nlohmann::ordered_json& statistic, const std::string& column,
-                      const analysis::TableUnit& unit) {
+std::string mean_text(const nlohmann::ordered_json& statistic, const std::string& column, const TableUnit& unit) {
   const auto number = [&](double value) {
     return unit.one != 1.0 ? fmt::format("{:.1f}", value / unit.one) : fmt::format("{:.6g}", value);
   };
@@ -95,8 +92,7 @@ std::string means_table(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
   const auto& settings = summary.at("settings");
   const auto units = units_of(settings);
-  std::string text =
-      analysis::origin_text(summary) + fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
+  std::string text = origin_text(summary) + fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
   for (const auto& setting : settings) {
     const std::string name = setting.at("setting");
     std::string shown = name;
@@ -113,4 +109,4 @@ std::string means_table(const std::string& summary_file) {
   return text + warnings_text(settings);
 }
 
-}  // namespace brash::cli
+}  // namespace brash::analysis
