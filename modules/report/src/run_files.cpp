@@ -16,6 +16,8 @@
 #include "brash/report/report.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/statistics/moments.hpp"
+#include "brash/statistics/spectrum.hpp"
+#include "brash/statistics/summary.hpp"
 
 namespace brash::report {
 namespace {
@@ -48,8 +50,9 @@ ordered_json of_lower_end(const analysis::LoadHistory& load) {
   ordered_json out = statistics_and_events(analysis::negated(load));
   out["column"] = load.column;
   std::swap(out["minimum"], out["maximum"]);
-  turn(out, {"mean", "mean_95", "minimum", "maximum", "skewness", "quantile_1", "quantile_50", "quantile_95",
-             "quantile_99"});
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto) {
+    if (of.turns) turn(out, {of.name});
+  });
   turn(out["peaks"], {"level", "mean", "maximum"});
   turn(out["extremes"], {"threshold", "level", "level_95"});
   turn(out["block_maxima"], {"location", "level", "level_95"});
