@@ -25,12 +25,24 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
+/// The spectrum that `brash stats --spectrum` writes without a segment; null where the history is too short.
+ordered_json spectrum_json(const analysis::LoadHistory& load) {
+  const auto spectrum = analysis::spectrum_of(load, 0.0);
+  if (!spectrum) return nullptr;
+  const statistics::Interval factors = statistics::spectrum_factors(*spectrum);
+  return {{"frequency", spectrum->frequency},
+          {"density", spectrum->density},
+          {"factors_95", {factors.lower, factors.upper}},
+          {"n_segments", spectrum->n_segments}};
+}
+
 ordered_json statistics_and_events(const analysis::LoadHistory& load) {
   ordered_json out = analysis::statistics_of(load);
   out["events"] = ordered_json::array();
   for (const statistics::LoadEvent& e : analysis::events_of(load))
     out["events"].push_back(
         {{"start", e.start}, {"end", e.end}, {"peak_time", e.peak_time}, {"peak", e.peak}, {"impulse", e.impulse}});
+  out["spectrum"] = spectrum_json(load);
   return out;
 }
 
