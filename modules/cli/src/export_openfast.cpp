@@ -165,7 +165,7 @@ void add_openfast_command(CLI::App& command) {
     LoadExport& o = *options;
     o.openfast.point = {o.point[0], o.point[1], o.point[2]};
     o.openfast.from = o.from.value_or(0.0);
-    if (analysis::is_campaign(o.given)) return export_campaign(o);
+    if (io::is_campaign(o.given)) return export_campaign(o);
     if (o.join > 0.0)
       throw InputError(Complaint{o.given, "is not a campaign, and --join joins the replicates of one",
                                  "the folder of a campaign", "leave --join out, or run a campaign"});

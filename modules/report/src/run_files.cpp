@@ -135,7 +135,7 @@ void expect_manifest(const std::string& directory) {
 
 std::string write_report(const std::string& directory) {
   expect_manifest(directory);
-  if (!recording::is_campaign(directory)) return write_run_report(report_source(directory));
+  if (!io::is_campaign(directory)) return write_run_report(report_source(directory));
   std::error_code no_cases;
   for (const auto& entry : fs::directory_iterator(directory + "/cases", no_cases))
     if (!entry.is_symlink() && fs::exists(entry.path() / "run.nc"))
