@@ -63,10 +63,6 @@ TriangleMesh in_order(const TriangleMesh& mesh) {
   return sorted;
 }
 
-struct Box {
-  Vec3 least, most;
-};
-
 /// The closed convex hull of points; without a volume when they lie in a plane.
 TriangleMesh hull_of(std::vector<Vec3> points) {
   if (points.size() > kManyPoints) keep_one_of_each(points);
@@ -235,15 +231,6 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
     if (larger.vertices == hull.vertices) return hull;  // rounding placed vertices outside that are not
     hull = std::move(larger);
   }
-}
-
-Box box_around(const std::vector<Vec3>& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec3 v : points) {
-    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
-    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
-  }
-  return box;
 }
 
 std::vector<Piece> pieces_of(const TriangleMesh& shell) {
