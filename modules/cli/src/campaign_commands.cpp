@@ -31,7 +31,7 @@
 #include "brash/report/report.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "requests_to_end.hpp"
+#include "progress.hpp"
 
 namespace brash::cli {
 namespace {

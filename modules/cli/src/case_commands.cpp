@@ -17,7 +17,7 @@
 #include "brash/io/new_case.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
-#include "brash/report/case_picture.hpp"
+#include "brash/report/pictures.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/setup.hpp"

@@ -17,9 +17,9 @@
 #include "brash/io/results.hpp"
 #include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
-#include "stats_commands.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export_openfast.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,6 +18,7 @@
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "brash/io/run_summary.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {

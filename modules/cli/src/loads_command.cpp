@@ -11,8 +11,8 @@
 #include "brash/core/text.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/origin.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
-#include "stats_commands.hpp"
 
 namespace brash::cli {
 

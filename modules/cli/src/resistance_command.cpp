@@ -16,8 +16,8 @@
 #include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
 #include "campaign_commands.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
-#include "stats_commands.hpp"
 
 namespace brash::cli {
 namespace {

@@ -20,7 +20,6 @@
 #include "live_view.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
-#include "requests_to_end.hpp"
 
 namespace brash::cli {
 namespace {
