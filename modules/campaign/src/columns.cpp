@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "columns.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -15,6 +13,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/statistics/summary.hpp"
+#include "case_results.hpp"
 
 namespace brash::campaign {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/report/case_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "brash/report/pictures.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 #include "chart.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/report/plan_view.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "brash/report/pictures.hpp"
 #include "brash/structure/hull.hpp"
 #include "chart.hpp"
 #include "drawing.hpp"

@@ -12,7 +12,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/run_summary.hpp"
-#include "brash/report/plan_view.hpp"
+#include "brash/report/pictures.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/statistics/moments.hpp"
