@@ -15,7 +15,6 @@
 #include "brash/core/text.hpp"
 #include "quantity.hpp"
 #include "series_head.hpp"
-#include "text_cells.hpp"
 
 namespace brash::io {
 namespace {

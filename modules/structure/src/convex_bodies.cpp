@@ -13,7 +13,6 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/plane.hpp"
 #include "brash/structure/inner_radius.hpp"
-#include "extreme_points.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {

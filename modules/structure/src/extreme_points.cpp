@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "extreme_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <tuple>
 
+#include "convex_bodies.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {

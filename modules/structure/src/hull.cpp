@@ -4,10 +4,9 @@
 #include <algorithm>
 
 #include "brash/core/contract.hpp"
-#include "cone.hpp"
+#include "frustum.hpp"
 #include "legs.hpp"
 #include "mesh_hull.hpp"
-#include "plane_sided.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {
