@@ -218,7 +218,7 @@ std::vector<const io::Setting*> some_of(const std::vector<io::Setting>& settings
 }
 
 /// Says the warnings about the settings, each once: the text is of the first setting that has it.
-void say_warnings(const std::vector<io::Setting>& all_settings) {
+void say_warnings_of_settings(const std::vector<io::Setting>& all_settings) {
   struct Told {
     model::Warning warning;
     std::string setting;
@@ -277,7 +277,7 @@ void run_campaign(const CampaignOptions& options) {
   campaign::Campaign campaign = campaign_of(options);
   const Counts before = campaign::count(campaign.plan, options.directory);
   // Later on the table shows the warnings.
-  if (!options.tables && before.n_done + before.n_failed == 0) say_warnings(campaign.plan.settings);
+  if (!options.tables && before.n_done + before.n_failed == 0) say_warnings_of_settings(campaign.plan.settings);
   if (options.status) return print_status(before, options.json);
   if (options.tables) {
     show_results(campaign, options, campaign::write_tables(campaign));
@@ -352,7 +352,7 @@ void run_plan(const PlanRun& run) {
   options.resume = run.resume;
   const campaign::Campaign campaign = campaign_of(options);
   if (const Counts before = campaign::count(campaign.plan, run.directory); before.n_done + before.n_failed == 0)
-    say_warnings(campaign.plan.settings);
+    say_warnings_of_settings(campaign.plan.settings);
   const Counts counts = run_here(campaign, run.n_jobs);
   refuse_missing(campaign, counts);
   say_programs(run.directory + "/manifest.json");
