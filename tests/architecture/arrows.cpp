@@ -42,7 +42,10 @@ const std::map<std::string, Room> kRooms{
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
     {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {"CGAL", "Eigen", "json"}}},
-    {"io", {"modules/io", {"core", "geometry", "model", "netcdf", "structure"}, {"toml", "netcdf", "udunits", "json"}}},
+    {"io",
+     {"modules/io",
+      {"core", "geometry", "model", "netcdf", "standards", "structure"},
+      {"toml", "netcdf", "udunits", "json"}}},
     {"formats", {"modules/formats", {"core", "geometry", "model", "io", "structure"}, {"json", "minizip", "zlib"}}},
     // Its results are JSON documents.
     {"analysis",

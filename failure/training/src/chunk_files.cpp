@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "chunk_files.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/training/database.hpp"
+#include "store.hpp"
 
 namespace brash::training {
 namespace {

@@ -11,7 +11,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/training/database.hpp"
-#include "chunk_files.hpp"
+#include "store.hpp"
 
 namespace brash::training {
 

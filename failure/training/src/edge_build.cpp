@@ -3,7 +3,7 @@
 
 #include "brash/training/edge_database.hpp"
 #include "chunked_build.hpp"
-#include "edge_store.hpp"
+#include "store.hpp"
 
 namespace brash::training {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edge_store.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "netcdf_file.hpp"
+#include "store.hpp"
 
 namespace brash::training {
 namespace {

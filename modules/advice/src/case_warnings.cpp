@@ -374,7 +374,7 @@ std::vector<model::Warning> warnings_of(const model::Case& resolved) { return wa
 simulation::Run run(const model::Case& resolved, const simulation::RunOptions& options) {
   simulation::Run run = simulation::run(resolved, options);
   if (!run.complete) return run;
-  Warnings warnings = warnings_of(resolved);
+  Warnings warnings = warnings_of(*run.setup);
   std::ranges::move(run.summary.warnings, std::back_inserter(warnings));
   std::ranges::move(warnings_of(run.summary, run.loads_seen, resolved.reference), std::back_inserter(warnings));
   run.summary.warnings = std::move(warnings);

@@ -82,11 +82,6 @@ std::optional<model::Case> case_of_setting(const std::string& campaign, const st
   return std::nullopt;
 }
 
-bool is_campaign(const std::string& folder) {
-  std::error_code ignored;
-  return fs::is_directory(folder + "/cases", ignored);
-}
-
 void begin_as_summary(HistoryChoice& choice, const std::string& summary) {
   if (choice.has_from) return;
   const std::optional<double> start = io::start_in(summary);
@@ -122,8 +117,8 @@ bool is_repeated(const TextTable& table, const TextTable::Row& row) {
 
 std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
                                                       const std::string& where) {
-  if (!is_campaign(folder))
-    throw InputError(Complaint{folder, "is not a campaign: it has no folder cases/", "the folder of a campaign",
+  if (!io::is_campaign(folder))
+    throw InputError(Complaint{folder, "is not a campaign: it has no campaign.csv", "the folder of a campaign",
                                "give the folder that `brash campaign` wrote"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;

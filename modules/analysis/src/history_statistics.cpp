@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <type_traits>
 
 #include "brash/analysis/tables.hpp"
 #include "brash/core/text.hpp"
@@ -107,6 +109,23 @@ std::string interval_text(const ordered_json& mean_95) {
   return fmt::format("95 % interval [{:.6g}, {:.6g}]", mean_95[0].get<double>(), mean_95[1].get<double>());
 }
 
+/// A line for each row of the statistics in this unit.
+std::string rows_of(const ordered_json& s, std::string_view unit) {
+  std::string text;
+  std::string_view row;
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto) {
+    if (of.unit != unit || *of.row == '\0') return;
+    text += row == of.row ? "   " : fmt::format("{}  {:<21}", row.empty() ? "" : "\n", of.row);
+    row = of.row;
+    const ordered_json& value = s[of.name];
+    if (value.is_array())
+      text += interval_text(value);
+    else
+      text += fmt::format("{:.{}g}{}", value.get<double>(), unit.empty() ? 6 : 4, of.note);
+  });
+  return text + "\n";
+}
+
 }  // namespace
 
 std::vector<statistics::LoadEvent> events_of(const LoadHistory& load, std::optional<double> dead_band) {
@@ -149,7 +168,6 @@ std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& load, double 
 
 ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& settings) {
   const statistics::Summary s = statistics::summarise(load.history, load.even);
-  const double kurtosis = statistics::moments(load.history.values, load.even.weights).excess_kurtosis;
   ordered_json out{{"column", load.column},
                    {"unit", load.unit.empty() ? ordered_json() : ordered_json(load.unit)},
                    {"start", load.start.empty() ? ordered_json() : ordered_json(load.start)},
@@ -157,21 +175,13 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"dt", load.even.sampling.step},
                    {"n", s.n},
                    {"duration", load.even.duration},
-                   {"sampling", sampling_json(load)},
-                   {"mean", s.mean},
-                   {"mean_95", interval_of_mean(s)},
-                   {"standard_deviation", s.standard_deviation},
-                   {"minimum", s.minimum},
-                   {"maximum", s.maximum},
-                   {"skewness", s.skewness},
-                   {"excess_kurtosis", kurtosis},
-                   {"quantile_1", s.quantile_1},
-                   {"quantile_50", s.quantile_50},
-                   {"quantile_95", s.quantile_95},
-                   {"quantile_99", s.quantile_99},
-                   {"autocorrelation_time", s.autocorrelation_time},
-                   {"effective_sample_size", s.effective_sample_size},
-                   {"long_enough", s.long_enough}};
+                   {"sampling", sampling_json(load)}};
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto member) {
+    if constexpr (std::is_same_v<decltype(member), statistics::Interval statistics::Summary::*>)
+      out[of.name] = interval_of_mean(s);
+    else
+      out[of.name] = s.*member;
+  });
   add_origin(load.origin, out);
   out["warnings"] = ordered_json::array();
   if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
@@ -199,12 +209,7 @@ std::string statistics_text(const ordered_json& s) {
         value("statistics_from"));
   text += origin_text(s, "  ");
   text += sampling_text(s["sampling"]);
-  text += fmt::format("  mean                 {:.6g}   {}\n", value("mean"), interval_text(s["mean_95"]));
-  text += fmt::format("  standard deviation   {:.6g}\n", value("standard_deviation"));
-  text += fmt::format("  minimum, maximum     {:.6g}   {:.6g}\n", value("minimum"), value("maximum"));
-  text += fmt::format("  1, 50, 95, 99 %      {:.6g}   {:.6g}   {:.6g}   {:.6g}\n", value("quantile_1"),
-                      value("quantile_50"), value("quantile_95"), value("quantile_99"));
-  text += fmt::format("  skewness, kurtosis   {:.4g}   {:.4g} (excess)\n", value("skewness"), value("excess_kurtosis"));
+  text += rows_of(s, "") + rows_of(s, "1");
   text += fmt::format("  autocorrelation time {:.4g} s, {:.4g} independent samples\n", value("autocorrelation_time"),
                       value("effective_sample_size"));
   const ordered_json& peaks = s["peaks"];

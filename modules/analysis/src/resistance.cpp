@@ -107,8 +107,8 @@ struct Point {
 };
 
 std::vector<Point> read_points(const std::string& campaign) {
-  if (!is_campaign(campaign))
-    throw InputError(Complaint{campaign, "is not a campaign: it has no folder cases/", "a case file, or such a folder",
+  if (!io::is_campaign(campaign))
+    throw InputError(Complaint{campaign, "is not a campaign: it has no campaign.csv", "a case file, or such a folder",
                                "`brash resistance CASE -o FOLDER` makes one"});
   std::vector<Point> points;
   for (const auto& [setting, cases] : counted_cases(campaign)) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "case_check.hpp"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/io/case.hpp"
+#include "case_results.hpp"
 #include "folder.hpp"
 
 namespace brash::campaign {

@@ -22,8 +22,7 @@
 #include "brash/io/table.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
-#include "columns.hpp"
-#include "crate.hpp"
+#include "case_results.hpp"
 
 namespace brash::campaign {
 namespace {

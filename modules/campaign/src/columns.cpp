@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "columns.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -14,6 +12,8 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/simulation/run.hpp"
+#include "brash/statistics/summary.hpp"
+#include "case_results.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -96,13 +96,15 @@ std::string fingerprint(const std::map<std::string, double>& numbers) {
 }
 
 std::string unit_of(const std::string& column) {
+  const std::string last = column.substr(column.rfind('.') + 1);
+  std::string unit_of_statistic;
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto) {
+    if (last == of.name) unit_of_statistic = of.unit;
+  });
+  if (!unit_of_statistic.empty()) return unit_of_statistic;
   // The first that fits: numbers of a load without the unit of a load come before the loads.
   using Unit = std::pair<std::string_view, const char*>;
-  constexpr auto kUnits = std::to_array<Unit>({{".skewness", "1"},
-                                               {".effective_sample_size", "1"},
-                                               {".long_enough", "1"},
-                                               {"_time", "s"},
-                                               {"verdicts.latest", "s"},
+  constexpr auto kUnits = std::to_array<Unit>({{"verdicts.latest", "s"},
                                                {"statistics_from", "s"},
                                                {"statistics_until", "s"},
                                                {"breaking_frequency", "s-1"},

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crate.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
+#include "collect.hpp"
 #include "folder.hpp"
 
 namespace brash::campaign {

@@ -12,8 +12,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "brash/recording/inputs.hpp"
-#include "case_check.hpp"
-#include "columns.hpp"
+#include "case_results.hpp"
 
 namespace brash::campaign {
 

@@ -9,7 +9,7 @@
 
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
-#include "columns.hpp"
+#include "case_results.hpp"
 
 namespace brash::campaign {
 

@@ -22,16 +22,16 @@
 #include <thread>
 
 #include "brash/advice/advice.hpp"
+#include "brash/analysis/summary_tables.hpp"
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/report/report.hpp"
-#include "campaign_table.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "requests_to_end.hpp"
+#include "progress.hpp"
 
 namespace brash::cli {
 namespace {
@@ -171,7 +171,7 @@ void say_repeated(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
   std::vector<std::string> names;
   for (const auto& setting : summary.at("settings"))
-    if (const int n = n_repeated(setting); n > 0)
+    if (const int n = analysis::n_repeated(setting); n > 0)
       names.push_back(fmt::format("{} of {} in {}", n, setting.at("n_done").get<int>(),
                                   printable(setting.at("setting").get<std::string>())));
   if (names.empty()) return;
@@ -182,7 +182,7 @@ void say_repeated(const std::string& summary_file) {
 
 /// Prints the tables of a campaign and makes its page.
 void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts) {
-  if (!options.json) print("{}\n", means_table(campaign.directory + "/summary.json"));
+  if (!options.json) print("{}\n", analysis::means_table(campaign.directory + "/summary.json"));
   print_status(counts, options.json);
   if (!options.json) print("results in {}\n", options.directory);
   const std::string page = report::has_page() ? report::write_report(options.directory) : "";
@@ -218,7 +218,7 @@ std::vector<const io::Setting*> some_of(const std::vector<io::Setting>& settings
 }
 
 /// Says the warnings about the settings, each once: the text is of the first setting that has it.
-void say_warnings(const std::vector<io::Setting>& all_settings) {
+void say_warnings_of_settings(const std::vector<io::Setting>& all_settings) {
   struct Told {
     model::Warning warning;
     std::string setting;
@@ -277,7 +277,7 @@ void run_campaign(const CampaignOptions& options) {
   campaign::Campaign campaign = campaign_of(options);
   const Counts before = campaign::count(campaign.plan, options.directory);
   // Later on the table shows the warnings.
-  if (!options.tables && before.n_done + before.n_failed == 0) say_warnings(campaign.plan.settings);
+  if (!options.tables && before.n_done + before.n_failed == 0) say_warnings_of_settings(campaign.plan.settings);
   if (options.status) return print_status(before, options.json);
   if (options.tables) {
     show_results(campaign, options, campaign::write_tables(campaign));
@@ -352,7 +352,7 @@ void run_plan(const PlanRun& run) {
   options.resume = run.resume;
   const campaign::Campaign campaign = campaign_of(options);
   if (const Counts before = campaign::count(campaign.plan, run.directory); before.n_done + before.n_failed == 0)
-    say_warnings(campaign.plan.settings);
+    say_warnings_of_settings(campaign.plan.settings);
   const Counts counts = run_here(campaign, run.n_jobs);
   refuse_missing(campaign, counts);
   say_programs(run.directory + "/manifest.json");

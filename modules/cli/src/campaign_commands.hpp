@@ -4,14 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace brash::cli {
-
-/// Adds `brash campaign`, and `brash campaign-case`, which a campaign starts for each of its cases.
-void add_campaign_commands(CLI::App& app);
 
 /// A plan to run on this machine.
 struct PlanRun {

@@ -17,7 +17,7 @@
 #include "brash/io/new_case.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
-#include "brash/report/case_picture.hpp"
+#include "brash/report/pictures.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/setup.hpp"
@@ -27,7 +27,6 @@
 #include "commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
-#include "table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -151,7 +150,7 @@ void check_case(const CheckOptions& options) {
   rows.print(before);
   if (!options.picture.empty())
     write_picture(options.picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
-  print_warnings(advice::warnings_of(setup));
+  say_warnings(advice::warnings_of(setup));
   if (options.keys) print_keys(resolved, options);
 }
 

@@ -28,6 +28,25 @@ void add_schema_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_rerun_command(CLI::App& app);
 void add_report_command(CLI::App& app);
+void add_new_command(CLI::App& app);
+void add_crack_command(CLI::App& app);
+void add_fit_command(CLI::App& app);
+void add_pieces_command(CLI::App& app);
+void add_stats_command(CLI::App& app);
+void add_compare_command(CLI::App& app);
+void add_trend_command(CLI::App& app);
+void add_design_command(CLI::App& app);
+void add_resistance_command(CLI::App& app);
+void add_loads_command(CLI::App& app);
+/// Adds `failure database | train | predict`.
+void add_failure_command(CLI::App& app);
+/// Adds `failure database`, and `failure train`.
+void add_database_command(CLI::App& failure);
+void add_train_command(CLI::App& failure);
+/// Adds `export openfast`.
+void add_openfast_command(CLI::App& command);
+/// Adds `campaign`, and `campaign-case`, which a campaign starts for each of its cases.
+void add_campaign_commands(CLI::App& app);
 /// Must be added last, because it lists the commands that are there.
 void add_completion_command(CLI::App& app);
 

@@ -15,10 +15,11 @@
 #include "brash/core/text.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
+#include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
-#include "stats_commands.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {
@@ -69,7 +70,7 @@ void note_doubts(const std::vector<LoadHistory>& loads) {
 
 /// The histories of one side: of a file, of a run's folder, of one setting of a campaign.
 std::vector<LoadHistory> side(const std::string& given, HistoryChoice choice, const std::string& where) {
-  if (analysis::is_campaign(given)) return replicates(given, choice, where);
+  if (io::is_campaign(given)) return replicates(given, choice, where);
   const std::string file = run_history(given, choice);
   return {analysis::read_history(file, choice)};
 }
@@ -100,14 +101,14 @@ std::vector<LoadHistory> measurements(const CompareOptions& options) {
 
 /// A pattern chooses a setting of a campaign; of anything else there is nothing to choose.
 void check_patterns(CompareOptions& options) {
-  const bool measured = std::ranges::any_of(options.measured, analysis::is_campaign);
+  const bool measured = std::ranges::any_of(options.measured, io::is_campaign);
   const auto refuse = [](const std::string& option, const std::string& given, const std::string& allowed) {
     throw InputError(Complaint{given, fmt::format("is not a campaign of which {} could choose a setting", option),
                                allowed, fmt::format("leave {} out, or give the folder of a campaign", option)});
   };
   if (!options.measured_where.empty() && !measured)
     refuse("--measured-where", options.measured.front(), "the folder of a campaign on the measured side");
-  if (!options.where.empty() && !analysis::is_campaign(options.run) && !measured)
+  if (!options.where.empty() && !io::is_campaign(options.run) && !measured)
     refuse("--where", options.run, "the folder of a campaign on one side at least");
   if (options.measured_where.empty()) options.measured_where = options.where;
 }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "database_command.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,7 +19,7 @@
 #include "brash/training/edge_database.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "requests_to_end.hpp"
+#include "progress.hpp"
 
 namespace brash::cli {
 namespace {

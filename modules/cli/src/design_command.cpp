@@ -10,9 +10,9 @@
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/pictures.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
-#include "stats_commands.hpp"
 
 namespace brash::cli {
 namespace {

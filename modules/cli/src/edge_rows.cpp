@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edge_rows.hpp"
-
 #include <filesystem>
 
 #include "brash/analysis/closed_forms.hpp"

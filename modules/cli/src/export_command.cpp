@@ -16,7 +16,6 @@
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
-#include "export_openfast.hpp"
 #include "fmu.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export_openfast.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,6 +18,7 @@
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "brash/io/run_summary.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
@@ -165,7 +164,7 @@ void add_openfast_command(CLI::App& command) {
     LoadExport& o = *options;
     o.openfast.point = {o.point[0], o.point[1], o.point[2]};
     o.openfast.from = o.from.value_or(0.0);
-    if (analysis::is_campaign(o.given)) return export_campaign(o);
+    if (io::is_campaign(o.given)) return export_campaign(o);
     if (o.join > 0.0)
       throw InputError(Complaint{o.given, "is not a campaign, and --join joins the replicates of one",
                                  "the folder of a campaign", "leave --join out, or run a campaign"});

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "failure_commands.hpp"
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "database_command.hpp"
-#include "edge_rows.hpp"
+#include "commands.hpp"
 #include "failure_rows.hpp"
-#include "train_command.hpp"
 
 namespace brash::cli {
 namespace {

@@ -21,7 +21,6 @@
 #include "brash/model/case_keys.hpp"
 #include "brash/recording/inputs.hpp"
 #include "messages.hpp"
-#include "table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -122,7 +121,7 @@ void export_fmu(const std::string& case_file, const std::vector<std::string>& ov
   io::check_ending(file, "a co-simulation unit", {".fmu"});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   check_name(inputs.resolved.name, case_file);
-  print_warnings(advice::warnings_of(inputs.resolved));
+  say_warnings(advice::warnings_of(inputs.resolved));
   if (velocity_from_poses && !fmu::is_driven(inputs.resolved))
     throw InputError(Complaint{"--velocity-from-poses", "is of no use: no host drives the structure of " + case_file,
                                "a structure that the host drives", "add --set structure.motion.kind=driven"});

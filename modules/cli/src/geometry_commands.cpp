@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry_commands.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +20,7 @@
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
+#include "commands.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
 

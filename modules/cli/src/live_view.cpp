@@ -8,7 +8,7 @@
 
 #include "brash/recording/recording.hpp"
 #include "brash/simulation/initial_floes.hpp"
-#include "requests_to_end.hpp"
+#include "progress.hpp"
 
 namespace brash::cli {
 namespace {

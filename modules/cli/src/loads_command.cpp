@@ -11,9 +11,8 @@
 #include "brash/core/text.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/origin.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
-#include "stats_commands.hpp"
-#include "table.hpp"
 
 namespace brash::cli {
 
@@ -42,7 +41,7 @@ void add_loads_command(CLI::App& app) {
       loads["warnings"].push_back({{"id", warning.id}, {"text", warning.text}});
     print_data(options->json ? loads.dump(2) + "\n"
                              : escaped_lines(analysis::origin_text(loads) + analysis::loads_text(loads)));
-    print_warnings(warnings);
+    say_warnings(warnings);
   });
 }
 

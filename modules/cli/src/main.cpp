@@ -14,11 +14,7 @@
 #include "brash/core/version.hpp"
 #include "campaign_commands.hpp"
 #include "commands.hpp"
-#include "failure_commands.hpp"
-#include "geometry_commands.hpp"
 #include "messages.hpp"
-#include "new_command.hpp"
-#include "stats_commands.hpp"
 #include "usage_error.hpp"
 
 namespace {

@@ -20,6 +20,10 @@ void say_text(const std::string& text) { show(escaped_lines(text)); }
 
 void say_note(const std::string& note) { say("note: {}\n", note); }
 
+void say_warnings(const std::vector<model::Warning>& warnings) {
+  for (const model::Warning& warning : warnings) say("warning: {}: {}\n", warning.id, warning.text);
+}
+
 void print_text(const std::string& text) { fmt::print("{}", escaped_lines(text)); }
 
 void print_data(const std::string& text) { fmt::print("{}", escaped_as_unicode(text)); }

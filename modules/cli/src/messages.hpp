@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
+
+#include "brash/model/warning.hpp"
 
 namespace brash::cli {
 
@@ -19,6 +22,9 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
 
 /// Says a note of a reader of files on stderr.
 void say_note(const std::string& note);
+
+/// Says each warning on stderr, as `warning: id: text`.
+void say_warnings(const std::vector<model::Warning>& warnings);
 
 /// Prints a result for people on stdout; characters that control a terminal are escaped.
 /// @throws std::system_error when it cannot be written, here and below.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "new_command.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +11,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/new_case.hpp"
 #include "brash/simulator/builder.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {

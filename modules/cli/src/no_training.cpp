@@ -4,8 +4,7 @@
 #include <string>
 
 #include "brash/core/error.hpp"
-#include "database_command.hpp"
-#include "train_command.hpp"
+#include "commands.hpp"
 
 namespace brash::cli {
 namespace {

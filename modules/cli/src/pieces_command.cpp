@@ -6,7 +6,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/report/pictures.hpp"
-#include "geometry_commands.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "brash/advice/advice.hpp"
 #include "messages.hpp"
-#include "requests_to_end.hpp"
 
 namespace brash::cli {
 namespace {

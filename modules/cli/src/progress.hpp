@@ -12,4 +12,12 @@ namespace brash::cli {
 /// end stops it after its step and, where there is a store, keeps a checkpoint; the run is then not complete.
 simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOptions options);
 
+/// From here on Ctrl-C (SIGINT), a request to end (SIGTERM) and a terminal that closes (SIGHUP) do not end the process:
+/// is_asked_to_end() reports them. The process continues to ignore signals that it was started to ignore, as under
+/// nohup.
+void catch_requests_to_end();
+
+/// Whether the process was asked to end since.
+bool is_asked_to_end();
+
 }  // namespace brash::cli

@@ -7,6 +7,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/io/file_names.hpp"
+#include "brash/io/run_summary.hpp"
 #include "brash/recording/run_folder.hpp"
 #include "brash/report/report.hpp"
 #include "commands.hpp"
@@ -23,7 +24,7 @@ struct ReportOptions {
 
 report::RunSource run_in(const std::string& directory) {
   report::expect_manifest(directory);
-  if (recording::is_campaign(directory))
+  if (io::is_campaign(directory))
     throw InputError(Complaint{directory, "holds a campaign", "the folder of a run",
                                "give a folder under its cases/, or the campaign alone"});
   return report::report_source(directory);

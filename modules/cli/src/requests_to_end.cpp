@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "requests_to_end.hpp"
-
 #include <csignal>
 #include <initializer_list>
+
+#include "progress.hpp"
 
 namespace brash::cli {
 namespace {

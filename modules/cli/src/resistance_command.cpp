@@ -13,10 +13,11 @@
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
 #include "campaign_commands.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
-#include "stats_commands.hpp"
 
 namespace brash::cli {
 namespace {
@@ -86,7 +87,7 @@ void refuse_options_of_runs(const CLI::App& command) {
 
 void run_resistance(ResistanceOptions& o, const CLI::App& command) {
   const auto thrust = thrust_of(o);  // a table that cannot be read is refused before the runs
-  if (analysis::is_campaign(o.input)) {
+  if (io::is_campaign(o.input)) {
     refuse_options_of_runs(command);
     return show_resistance(o, thrust, o.input);
   }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "brash/advice/advice.hpp"
+#include "brash/analysis/summary_tables.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/workers.hpp"
 #include "brash/recording/inputs.hpp"
@@ -19,8 +20,6 @@
 #include "live_view.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
-#include "requests_to_end.hpp"
-#include "table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -50,7 +49,7 @@ void run_case(const RunOptions& options) {
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const recording::Inputs inputs = recording::read_inputs(options.case_file, overrides);
   const model::Case& resolved = inputs.resolved;
-  print_warnings(advice::warnings_of(resolved));
+  say_warnings(advice::warnings_of(resolved));
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = recording::open_run_folder(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
@@ -93,7 +92,7 @@ void run_case(const RunOptions& options) {
   }
   report::write_results(results, inputs, run);
   if (view) view->end(fmt::format("The run is done. Its report is {}/report.html.", directory));
-  print("{}\nresults in {}\n", run_table(resolved, run), directory);
+  print("{}\nresults in {}\n", analysis::run_table(resolved, run), directory);
   if (report::has_page()) print("report in  {}/report.html\n", directory);
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stats_commands.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +20,7 @@
 #include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
 #include "brash/simulation/warnings.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "time_span.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "train_command.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,6 +14,7 @@
 #include "brash/io/file_names.hpp"
 #include "brash/training/edge_database.hpp"
 #include "brash/training/make_model.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {

@@ -5,8 +5,8 @@
 #include "brash/analysis/trend.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/file_names.hpp"
+#include "commands.hpp"
 #include "messages.hpp"
-#include "stats_commands.hpp"
 
 namespace brash::cli {
 

@@ -16,7 +16,6 @@
 #include "plan_settings.hpp"
 #include "resolve.hpp"
 #include "schema.hpp"
-#include "validate.hpp"
 
 namespace brash::io {
 namespace {

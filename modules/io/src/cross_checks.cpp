@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cross_checks.hpp"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "brash/model/case_keys.hpp"
 #include "checks.hpp"
+#include "resolve.hpp"
 
 namespace brash::io {
 namespace {

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/standards/lengths.hpp"
 #include "quantity.hpp"
 #include "schema.hpp"
 #include "site_ice.hpp"
@@ -35,12 +35,12 @@ double quantity(const SiteIce& ice, const std::string& section, const std::strin
                            : value.get<double>();
 }
 
-/// l_c of the ice (Eq. 18) [m].
+/// l_c of the ice [m].
 double characteristic_length(const SiteIce& ice) {
-  const double h = quantity(ice, "ice", "thickness"), nu = quantity(ice, "ice", "poisson_ratio");
-  return std::pow(quantity(ice, "ice", "youngs_modulus") * h * h * h /
-                      (12.0 * quantity(ice, "water", "density") * kGravity * (1.0 - nu * nu)),
-                  0.25);
+  return standards::characteristic_length({.thickness = quantity(ice, "ice", "thickness"),
+                                           .youngs_modulus = quantity(ice, "ice", "youngs_modulus"),
+                                           .poisson_ratio = quantity(ice, "ice", "poisson_ratio"),
+                                           .water_density = quantity(ice, "water", "density")});
 }
 
 /// Distance from the axis to the ice edge at the start [m]. The examples are of the validation case, a cone.

@@ -11,10 +11,8 @@
 #include "brash/io/recorded_case.hpp"
 #include "brash/io/series.hpp"
 #include "brash/model/case_keys.hpp"
-#include "cross_checks.hpp"
 #include "resolve.hpp"
 #include "schema.hpp"
-#include "validate.hpp"
 
 namespace brash::io {
 namespace {

@@ -40,6 +40,11 @@ bool is_warning(const json& warning) {
 
 }  // namespace
 
+bool is_campaign(const std::string& folder) {
+  std::error_code ignored;
+  return fs::exists(folder + "/campaign.csv", ignored);
+}
+
 std::optional<double> start_in(const std::string& summary) { return number_in(summary, "statistics_from"); }
 std::optional<double> end_in(const std::string& summary) { return number_in(summary, "statistics_until"); }
 

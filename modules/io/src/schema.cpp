@@ -10,7 +10,6 @@
 #include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
-#include "schema_text.hpp"
 
 namespace brash::io {
 

@@ -76,4 +76,14 @@ std::string toml_string(const std::string& text);
 /// `text` as comment lines of TOML, at most 100 columns wide.
 std::string commented(const std::string& text);
 
+/// Whether the schema of a key allows a value: its type, choices, range, lengths and items. Numbers with a fraction of
+/// zero are no integers. Every other keyword must be an annotation, which says nothing about values.
+/// @param value  in SI.
+bool allows(const OrderedJson& key_schema, const nlohmann::json& value);
+
+/// The texts of case.schema.json, plan.schema.json and site_ice.json.
+extern const char* const kCaseSchemaText;
+extern const char* const kPlanSchemaText;
+extern const char* const kSiteIceText;
+
 }  // namespace brash::io

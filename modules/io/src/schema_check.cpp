@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "schema_check.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -8,6 +6,7 @@
 #include <string_view>
 
 #include "brash/core/contract.hpp"
+#include "schema.hpp"
 
 namespace brash::io {
 namespace {

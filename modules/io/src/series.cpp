@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -20,95 +19,14 @@
 namespace brash::io {
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-/// More columns than anyone measures, and few enough to make room for.
-constexpr std::size_t kMostColumns = 10'000;
-
 /// More lines than a logger writes above its table.
 constexpr std::size_t kMostLinesOfHead = 100;
-
-/// How the numbers of a text are written.
-struct Layout {
-  char separator = ' ';
-  char decimal_mark = 0;  ///< of the numbers met so far; 0: whole numbers only
-};
-
-/// The separator of the cells: the first of these that the first line holds, else blanks.
-char separator_of(std::string_view first_line) {
-  for (const char candidate : {';', '\t', ','})
-    if (first_line.find(candidate) != std::string_view::npos) return candidate;
-  return ' ';
-}
-
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
-  return text;
-}
-
-std::string_view unquoted(std::string_view cell) {
-  const bool quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
-  return quoted ? without_blanks(cell.substr(1, cell.size() - 2)) : cell;
-}
-
-/// Cells of a line. Of too many, the first.
-std::vector<std::string_view> cells_of(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    std::size_t end = 0;
-    for (bool quoted = false; end < line.size() && (quoted || line[end] != separator); ++end)
-      if (line[end] == '"') quoted = !quoted;
-    const std::string_view cell = without_blanks(line.substr(0, end));
-    if (separator != ' ' || !cell.empty()) cells.push_back(unquoted(cell));  // "" between quotes is a cell
-    if (end == line.size() || cells.size() > kMostColumns) return cells;
-    line.remove_prefix(end + 1);
-  }
-}
-
-/// Joins the units in brackets of a line of names between blanks to their names: `Fx [kN]` is one cell. A line that
-/// begins with a unit holds units alone.
-std::vector<std::string_view> with_units(const std::vector<std::string_view>& cells) {
-  const auto begins = [](std::string_view cell) { return cell.starts_with('[') || cell.starts_with('('); };
-  const auto ends = [](std::string_view cell) { return cell.ends_with(']') || cell.ends_with(')'); };
-  if (cells.empty() || begins(cells.front())) return cells;
-  std::vector<std::string_view> joined;
-  bool is_open = false;
-  for (const std::string_view cell : cells) {
-    const bool belongs = is_open || begins(cell);
-    if (belongs)
-      joined.back() = {joined.back().data(),
-                       static_cast<std::size_t>(cell.data() + cell.size() - joined.back().data())};
-    else
-      joined.push_back(cell);
-    is_open = belongs && !ends(cell);
-  }
-  return is_open ? cells : joined;
-}
-
-/// A finite number, not a number for a missing one, nothing for anything else.
-std::optional<double> number(std::string_view cell, Layout& layout) {
-  constexpr std::array<std::string_view, 6> kMissingWords{"", "nan", "NaN", "NA", "-", "NAN"};
-  if (std::ranges::find(kMissingWords, cell) != kMissingWords.end()) return kMissing;
-  std::string text(cell.substr(cell.front() == '+' ? 1 : 0));
-  const std::size_t at = text.find_first_of(".,");
-  const char mark = at == std::string::npos ? layout.decimal_mark : text[at];
-  const bool allowed = mark != ',' || layout.separator == ';' || layout.separator == '\t';
-  if (!allowed || (layout.decimal_mark != 0 && mark != layout.decimal_mark)) return std::nullopt;
-  if (at != std::string::npos) text[at] = '.';
-  double value = 0.0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, value);
-  if (error != std::errc{} || end != last || !std::isfinite(value)) return std::nullopt;
-  layout.decimal_mark = mark;
-  return value;
-}
 
 /// The first line: names, or values of columns that are then called 1, 2, ...
 /// @return whether it held names.
 bool begin(Series& series, const std::vector<std::string_view>& cells, Layout& layout) {
   const bool named =
-      std::ranges::any_of(cells, [&](std::string_view cell) { return !number(cell, layout) && !iso_time(cell); });
+      std::ranges::any_of(cells, [&](std::string_view cell) { return !number_in(cell, layout) && !iso_time(cell); });
   if (named) layout.decimal_mark = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     series.heads.push_back(named ? std::string(cells[i]) : std::to_string(i + 1));
@@ -212,7 +130,7 @@ void add_row(Series& series, const std::vector<std::string_view>& cells, std::si
         "as many values in each line as in the first", "correct the line; a preamble before the table begins with #"});
   const auto times = time_column(series.names);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::optional<double> value = number(cells[i], layout);
+    std::optional<double> value = number_in(cells[i], layout);
     if (!value && times == i) value = dates.seconds(cells[i], series.rows.size() == 1);
     if (!value && times == i && is_like_a_date(cells[i])) refuse_date(place(), std::string(cells[i]));
     if (!value)
@@ -257,7 +175,7 @@ bool is_remark(const std::vector<std::string_view>& cells, Layout layout) {
   double infinite = 0.0;
   const char* const last = cells.front().data() + cells.front().size();
   return std::from_chars(cells.front().data(), last, infinite).ptr != last &&
-         std::ranges::none_of(cells, [&](std::string_view cell) { return number(cell, layout).has_value(); });
+         std::ranges::none_of(cells, [&](std::string_view cell) { return number_in(cell, layout).has_value(); });
 }
 
 /// A line of a text.
@@ -270,7 +188,7 @@ bool is_row(std::string_view line) {
   Layout layout{separator_of(line)};
   bool has_number = false;
   for (const std::string_view cell : cells_of(line, layout.separator)) {
-    const auto value = number(cell, layout);
+    const auto value = number_in(cell, layout);
     if (!value && !iso_time(cell)) return false;
     has_number = has_number || !value || !std::isnan(*value);
   }
@@ -293,7 +211,7 @@ std::size_t line_of_names(const std::vector<NumberedLine>& lines) {
     std::vector<std::string_view> cells = cells_of(lines[i].text, layout.separator);
     if (layout.separator == ' ') cells = with_units(cells);
     const auto is_number = [&](std::string_view cell) {
-      const auto value = number(cell, layout);
+      const auto value = number_in(cell, layout);
       return value && !std::isnan(*value);
     };
     if (cells.size() != n || std::ranges::any_of(cells, is_number)) continue;
@@ -437,7 +355,7 @@ void leave_out(Series& series, const std::vector<double>& missing) {
   for (std::size_t i = 0; i < series.columns.size(); ++i)
     if (series.time != i)
       for (double& value : series.columns[i])
-        if (std::ranges::find(missing, value) != missing.end()) value = kMissing;
+        if (std::ranges::find(missing, value) != missing.end()) value = std::numeric_limits<double>::quiet_NaN();
 }
 
 void convert_to_si(Series& series) {

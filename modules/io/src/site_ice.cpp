@@ -11,7 +11,6 @@
 #include "brash/core/text.hpp"
 #include "brash/io/new_case.hpp"
 #include "schema.hpp"
-#include "schema_text.hpp"
 
 namespace brash::io {
 namespace {

@@ -7,7 +7,9 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "problem.hpp"
 #include "schema.hpp"
+#include "toml_source.hpp"
 
 namespace brash::io {
 
@@ -19,5 +21,10 @@ struct ValueError {
 
 /// A TOML value as JSON, quantities in the unit of `key_schema`.
 tl::expected<nlohmann::json, ValueError> json_value(const toml::node& node, const OrderedJson& key_schema);
+
+/// Says what is wrong with a value that `key_schema` refuses.
+/// @param value  in SI.
+Problem wrong_value(const CaseSource& source, const std::string& section, const std::string& key,
+                    const OrderedJson& key_schema, const nlohmann::json& value);
 
 }  // namespace brash::io

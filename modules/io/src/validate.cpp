@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validate.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "brash/core/text.hpp"
+#include "resolve.hpp"
 #include "schema.hpp"
-#include "schema_check.hpp"
 #include "toml_value.hpp"
-#include "wrong_value.hpp"
 
 namespace brash::io {
 namespace {

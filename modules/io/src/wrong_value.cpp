@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wrong_value.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "brash/core/text.hpp"
 #include "quantity.hpp"
+#include "toml_value.hpp"
 
 namespace brash::io {
 namespace {

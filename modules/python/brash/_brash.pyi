@@ -589,6 +589,7 @@ class Summary:
     minimum: float
     maximum: float
     skewness: float
+    excess_kurtosis: float
     quantile_1: float
     quantile_50: float
     quantile_95: float

@@ -132,13 +132,7 @@ void update(Case& c, const py::dict& changes) {
   c = with_changes(c, changes);
 }
 
-}  // namespace
-
-Case with_changes(const Case& c, const py::dict& changes) {
-  return read(c.text, c.path, c.has_file, changed(c.overrides, changes));
-}
-
-void add_case(py::module_& m) {
+void add_class(py::module_& m) {
   py::class_<Case>(m, "Case", R"(A case: what is simulated. Keys are those of a case file, values are SI and radians.
 
 >>> case = brash.Case.from_file("cone.toml")
@@ -200,6 +194,9 @@ void add_case(py::module_& m) {
           "Preset and program, as every table of the command names them: \"preset: paper (1 key changed); program: "
           "brash 0.2.0\".")
       .def("__repr__", [](const Case& c) { return "<brash.Case " + c.resolved.name + ">"; });
+}
+
+void add_templates(py::module_& m) {
   m.def("schema", &io::case_schema, "The JSON Schema of a case file as text.");
   m.def("template", &io::case_template, py::arg("ice") = "basin",
         "A commented case file with every key. ice: one of site_ice(), whose values have their sources beside them.");
@@ -208,6 +205,17 @@ void add_case(py::module_& m) {
   m.def(
       "site_ice", &io::site_ice,
       "The names of the ice that templates offer: basin, the model ice of the validation case, and the ice of sites.");
+}
+
+}  // namespace
+
+Case with_changes(const Case& c, const py::dict& changes) {
+  return read(c.text, c.path, c.has_file, changed(c.overrides, changes));
+}
+
+void add_case(py::module_& m) {
+  add_class(m);
+  add_templates(m);
 }
 
 }  // namespace brash::python

@@ -225,7 +225,7 @@ void add_polygon(py::module_& m) {
       });
 }
 
-void add_values(py::module_& m) {
+void add_cuts(py::module_& m) {
   py::class_<Cut>(m, "Cut", "What one cut did: area before = after + pieces + snap, exactly.")
       .def_readonly("pieces", &Cut::pieces, "The ice inside the region, split by the cracks.")
       .def_property_readonly(
@@ -245,6 +245,9 @@ void add_values(py::module_& m) {
           "snap", [](const geometry::Union& u) { return fraction(u.snap); },
           "Area that rounding to the grid moved out of the polygons, a Fraction [m2].")
       .def_readonly("n_rounded", &geometry::Union::n_rounded, "Crossings that became new vertices.");
+}
+
+void add_repair(py::module_& m) {
   using geometry::Repair;
   py::class_<Repair>(m, "Repair", "Polygons without faults: given = kept + overlap + folded + snap, exactly.")
       .def_property_readonly(
@@ -286,6 +289,9 @@ void add_values(py::module_& m) {
       .def_property_readonly(
           "snap", [](const Repair& r) { return fraction(r.snap); },
           "Area that rounding to the grid moved out of the polygons, a Fraction [m2].");
+}
+
+void add_contacts(py::module_& m) {
   py::class_<geometry::Trapezoid>(m, "Trapezoid", "The ice in front of a contact as the paper's trapezoid (Fig. 2).")
       .def_readonly("depth", &geometry::Trapezoid::depth, "b [m]")
       .def_readonly("contact_length", &geometry::Trapezoid::contact_length, "c [m]")
@@ -332,11 +338,7 @@ py::list free_edge(const SharedSheet& sheet, const py::object& at, double radius
   return chains;
 }
 
-}  // namespace
-
-void add_geometry(py::module_& m) {
-  add_polygon(m);
-  add_values(m);
+void add_sheet(py::module_& m) {
   py::class_<SharedSheet>(m, "IceSheet",
                           R"(The ice sheet: its free edges as an exact polygon set on the grid of 2^-30 m.
 
@@ -388,6 +390,9 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
       .def("__repr__", [](const SharedSheet& s) {
         return fmt::format("<brash.IceSheet of {:.6g} m2, {} vertices>", s.area().square_metres(), s.n_vertices());
       });
+}
+
+void add_functions(py::module_& m) {
   m.def("unite", &unite_polygons, py::arg("polygons"),
         "Unites polygons, which may overlap, touch or be there twice; each is simple. `polygons`: as of IceSheet.");
   m.def(
@@ -400,6 +405,17 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
         "at: collision point B on the edge, shape (2,) [m]; towards: direction into the ice, of any length; reach: "
         "half width of the window, about a characteristic length [m] (a run takes two); contact_length: c where it is "
         "known [m]. Where no edge is in the window, b is 0 and the error 1.");
+}
+
+}  // namespace
+
+void add_geometry(py::module_& m) {
+  add_polygon(m);
+  add_cuts(m);
+  add_repair(m);
+  add_contacts(m);
+  add_sheet(m);
+  add_functions(m);
 }
 
 }  // namespace brash::python

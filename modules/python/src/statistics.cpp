@@ -50,18 +50,24 @@ Fit fitted(tl::expected<Fit, FitError> fit) {
   return *std::move(fit);
 }
 
+/// All of Summary::visit(), and the number of samples.
+void add_summary(py::module_& m) {
+  py::class_<Summary> type(m, "Summary", "Statistics of an evenly sampled load history, in its unit; times in s.");
+  type.def_readonly("n", &Summary::n);
+  Summary::visit([&](const Statistic& of, auto member) { type.def_readonly(of.name, member); });
+  type.def("__repr__", [](const Summary& s) {
+    std::string text = fmt::format("<brash.Summary n={}", s.n);
+    Summary::visit([&](const Statistic& of, auto member) {
+      text += fmt::format(" {}={}", of.name, std::string(py::repr(py::cast(s.*member))));
+    });
+    return text + ">";
+  });
+}
+
 void add_values(py::module_& m) {
   add_value<Interval>(m, "Interval", "Confidence interval.", pair("lower", &Interval::lower),
                       pair("upper", &Interval::upper));
-  add_value<Summary>(m, "Summary", "Statistics of an evenly sampled load history, in its unit; times in s.",
-                     pair("n", &Summary::n), pair("mean", &Summary::mean), pair("mean_95", &Summary::mean_95),
-                     pair("standard_deviation", &Summary::standard_deviation), pair("minimum", &Summary::minimum),
-                     pair("maximum", &Summary::maximum), pair("skewness", &Summary::skewness),
-                     pair("quantile_1", &Summary::quantile_1), pair("quantile_50", &Summary::quantile_50),
-                     pair("quantile_95", &Summary::quantile_95), pair("quantile_99", &Summary::quantile_99),
-                     pair("autocorrelation_time", &Summary::autocorrelation_time),
-                     pair("effective_sample_size", &Summary::effective_sample_size),
-                     pair("long_enough", &Summary::long_enough));
+  add_summary(m);
   add_value<Moments>(m, "Moments", "Moments of a sample.", pair("n", &Moments::n), pair("mean", &Moments::mean),
                      pair("variance", &Moments::variance), pair("skewness", &Moments::skewness),
                      pair("excess_kurtosis", &Moments::excess_kurtosis), pair("minimum", &Moments::minimum),

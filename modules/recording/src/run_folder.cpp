@@ -15,6 +15,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/io/run_summary.hpp"
 #include "brash/recording/recording.hpp"
 
 namespace brash::recording {
@@ -138,15 +139,13 @@ fs::path campaign_around(const std::string& directory) {
   const fs::path cases = folder.parent_path(), around = cases.parent_path();
   if (cases.filename() != "cases") return {};
   const bool begun = fs::is_directory(around / "settings", ignored) && fs::is_directory(around / "inputs", ignored);
-  return begun || is_campaign(around.string()) ? around : fs::path();
+  return begun || io::is_campaign(around.string()) ? around : fs::path();
 }
 
 }  // namespace
 
-bool is_campaign(const std::string& directory) { return fs::exists(directory + "/campaign.csv"); }
-
 FolderLock open_run_folder(const std::string& directory) {
-  if (is_campaign(directory))
+  if (io::is_campaign(directory))
     throw InputError(Complaint{directory, "holds a campaign, of whose files some have the names of a run's",
                                "a folder that is new, empty or of a run", "give another folder"});
   if (const fs::path campaign = campaign_around(directory); !campaign.empty())

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/report/case_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +7,11 @@
 #include <variant>
 #include <vector>
 
+#include "brash/report/pictures.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
+#include "chart.hpp"
+#include "drawing.hpp"
 
 namespace brash::report {
 namespace {
@@ -21,64 +22,43 @@ constexpr int kSections = 4;
 
 using structure::Outline;
 
-/// A drawing to scale: y upwards in metres, downwards on the page.
+/// A drawing over the width of the page, under its title.
 class Panel {
  public:
-  /// @param top  of the panel on the page; its title is there.
+  /// @param top  of the panel on the page.
   Panel(double top, Vec2 lower, Vec2 upper, const std::string& title)
-      : lower_(lower), upper_(upper), top_(top + kTitle), scale_((kWidth - 2.0 * kMargin) / (upper.x - lower.x)) {
-    svg_ = fmt::format("<text x=\"{}\" y=\"{:.1f}\" class=\"title\">{}</text>\n", kMargin, top + 18.0, title);
+      : top_(top + kTitle),
+        drawing_({kMargin, top_}, (kWidth - 2.0 * kMargin) / (upper.x - lower.x), lower, upper),
+        width_(upper.x - lower.x) {
+    drawing_.add(fmt::format("<text x=\"{}\" y=\"{:.1f}\" class=\"title\">{}</text>\n", kMargin, top + 18.0, title));
   }
 
-  double bottom() const { return top_ + scale_ * (upper_.y - lower_.y) + 12.0; }
-  const std::string& svg() const { return svg_; }
+  double bottom() const { return top_ + drawing_.size().y + 12.0; }
+  const std::string& svg() const { return drawing_.svg(); }
 
-  void rings(const std::vector<Outline>& outlines, const char* style) {
-    std::string data;
-    for (const Outline& outline : outlines) data += path_along(outline) + "Z";
-    svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, style);
-  }
-  /// The same, as far as it lies in the panel.
+  void rings(const std::vector<Outline>& outlines, const char* style) { drawing_.rings(outlines, of_class(style)); }
   void rings_within(const std::vector<Outline>& outlines, const char* style) {
-    const Vec2 corner = on_page({lower_.x, upper_.y}), size = scale_ * (upper_ - lower_);
-    svg_ += fmt::format(
-        "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
-        "viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\">\n",
-        corner.x, corner.y, size.x, size.y);
-    rings(outlines, style);
-    svg_ += "</svg>\n";
+    drawing_.rings_within(outlines, of_class(style));
   }
-  void box(Vec2 lower, Vec2 upper, const char* style) {
-    rings({{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}}, style);
-  }
-  void line(const std::vector<Vec2>& places, const char* style) {
-    svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", path_along(places), style);
-  }
+  void box(Vec2 lower, Vec2 upper, const char* style) { drawing_.box(lower, upper, of_class(style)); }
+  void line(const std::vector<Vec2>& places, const char* style) { drawing_.line(places, of_class(style)); }
   /// A length of one, two or five times a power of ten, a fifth of the panel at most.
   void scale_bar() {
-    const double most = 0.2 * (upper_.x - lower_.x), power = std::pow(10.0, std::floor(std::log10(most)));
+    const double most = 0.2 * width_, power = std::pow(10.0, std::floor(std::log10(most)));
     const double length = most >= 5.0 * power ? 5.0 * power : most >= 2.0 * power ? 2.0 * power : power;
-    const double x = kWidth - kMargin - scale_ * length, y = top_ - 12.0;
-    svg_ += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}h{:.1f}\" class=\"bar\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
-        "class=\"scale\">{:g} m</text>\n",
-        x, y, scale_ * length, x - 6.0, y + 5.0, length);
+    const double x = kWidth - kMargin - drawing_.pixels(length), y = top_ - 12.0;
+    drawing_.add(
+        fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" class=\"bar\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+                    "class=\"scale\">{:g} m</text>\n",
+                    x, y, drawing_.pixels(length), x - 6.0, y + 5.0, length));
   }
 
  private:
-  Vec2 on_page(Vec2 p) const { return {kMargin + scale_ * (p.x - lower_.x), top_ + scale_ * (upper_.y - p.y)}; }
-  std::string path_along(const std::vector<Vec2>& places) const {
-    std::string data;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const Vec2 p = on_page(places[i]);
-      data += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x, p.y);
-    }
-    return data;
-  }
+  static std::string of_class(const char* style) { return fmt::format("class=\"{}\"", style); }
 
-  Vec2 lower_, upper_;
-  double top_, scale_;
-  std::string svg_;
+  double top_;
+  Drawing drawing_;
+  double width_;  ///< [m]
 };
 
 /// The hull on its side: its z lies along the world's y and its y points down, so that a level section is one along it.
@@ -180,11 +160,7 @@ std::string case_picture(const model::Case& resolved, const PicturedIce& of_star
   const Panel side = side_view(resolved, *hull, 10.0);
   const Panel above = plan(*hull, side.bottom());
   const Panel ice = field(resolved, *hull, of_start, above.bottom());
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-             "height=\"{1:.0f}\">\n{2}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-             kWidth, ice.bottom() + 10.0, kStyle) +
-         side.svg() + above.svg() + ice.svg() + "</svg>\n";
+  return svg_page(kWidth, ice.bottom() + 10.0, side.svg() + above.svg() + ice.svg(), kStyle);
 }
 
 }  // namespace brash::report

@@ -100,6 +100,16 @@ std::string text_at(double x, double y, const std::string& text, const std::stri
 
 }  // namespace
 
+std::string axis_label(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
+std::vector<double> at_equal_ratios(double first, double last, int n) {
+  std::vector<double> values;
+  for (int i = 0; i < n; ++i) values.push_back(first * std::pow(last / first, i / (n - 1.0)));
+  return values;
+}
+
 double upper_end(double lower, double highest) {
   return highest > lower ? highest + 0.05 * (highest - lower) : highest + std::max(1.0, 0.05 * std::abs(highest));
 }
@@ -213,13 +223,11 @@ std::string Chart::svg() const {
              left_, top_, width_, height_, content_);
 }
 
-std::string svg_page(double width, double height, const std::string& content) {
+std::string svg_page(double width, double height, const std::string& content, const char* style, const char* ground) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\">\n"
-      "<style>text{{font:12px sans-serif;fill:#111}}.grid{{stroke:#ddd;fill:none}}</style>\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
-      width, height, content);
+      "height=\"{1:.0f}\">\n{2}<rect {3}/>\n{4}</svg>\n",
+      width, height, style, ground, content);
 }
 
 }  // namespace brash::report

@@ -19,6 +19,12 @@ struct ChartAxis {
   bool logarithmic = false;  ///< then lower > 0
 };
 
+/// "load [N]": the label of an axis; without a unit the name alone.
+std::string axis_label(const std::string& name, const std::string& unit);
+
+/// `n` values from `first` to `last` at equal ratios.
+std::vector<double> at_equal_ratios(double first, double last, int n);
+
 /// The upper end of an axis that begins at `lower`: a little above the highest value on it.
 double upper_end(double lower, double highest);
 
@@ -34,6 +40,12 @@ class Chart {
   /// The area between two curves.
   void band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
             const std::string& colour);
+  /// A curve in its band.
+  void curve(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& lower,
+             const std::vector<double>& upper, const std::string& colour, double width = 1.5) {
+    band(x, lower, upper, colour);
+    line(x, y, colour, width);
+  }
   /// The area within an outline.
   void area(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour);
   /// A dot; left out where it cannot be drawn.
@@ -61,7 +73,11 @@ class Chart {
   std::string content_;
 };
 
-/// A whole picture of charts.
-std::string svg_page(double width, double height, const std::string& content);
+constexpr const char* kChartStyle = "<style>text{font:12px sans-serif;fill:#111}.grid{stroke:#ddd;fill:none}</style>\n";
+
+/// A whole picture of charts, or of drawings in their own style.
+/// @param ground  attributes of the rectangle behind them.
+std::string svg_page(double width, double height, const std::string& content, const char* style = kChartStyle,
+                     const char* ground = "width=\"100%\" height=\"100%\" fill=\"#fff\"");
 
 }  // namespace brash::report

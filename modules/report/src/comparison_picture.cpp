@@ -29,10 +29,6 @@ double smallest_of(const Samples& a, const Samples& b) {
   return std::min(*std::ranges::min_element(a), *std::ranges::min_element(b));
 }
 
-std::string label(const char* name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
-}
-
 void draw_history(const analysis::LoadHistory& load, double origin, const char* colour, Chart& chart) {
   Samples times = load.history.times;
   for (double& time : times) time -= origin;
@@ -50,7 +46,7 @@ std::string histories(const analysis::LoadHistory& run, const analysis::LoadHist
   const auto panel = [&](const analysis::LoadHistory& load, double start, double top, const std::string& name,
                          const char* colour) {
     Chart chart(75.0, top, 900.0, 110.0, fmt::format("{}: {}", name, load.column),
-                {top > 100.0 ? "time from the start [s]" : "", 0.0, end}, {label("load", load.unit), low, high});
+                {top > 100.0 ? "time from the start [s]" : "", 0.0, end}, {axis_label("load", load.unit), low, high});
     draw_history(load, start, colour, chart);
     svg += chart.svg();
   };
@@ -105,7 +101,7 @@ void draw_exceedance(const analysis::LoadHistory& load, const char* colour, Char
 std::string distributions(const analysis::LoadHistory& run, const analysis::LoadHistory& measured) {
   const double low = std::min(0.0, smallest_of(run.history.values, measured.history.values));
   const double high = upper_end(low, std::max(0.0, largest_of(run.history.values, measured.history.values)));
-  Chart chart(405.0, 375.0, 235.0, 260.0, "share of time above a load", {label("load", run.unit), low, high},
+  Chart chart(405.0, 375.0, 235.0, 260.0, "share of time above a load", {axis_label("load", run.unit), low, high},
               {"share", 1e-4, 1.0, true});
   draw_exceedance(run, kRun, chart);
   draw_exceedance(measured, kMeasured, chart);
@@ -119,8 +115,7 @@ void draw_spectrum(const statistics::Spectrum& spectrum, const char* colour, Cha
   Samples lower = s, upper = s;
   for (double& x : lower) x *= factors.lower;
   for (double& x : upper) x *= factors.upper;
-  chart.band(f, lower, upper, colour);
-  chart.line(f, s, colour, 1.2);
+  chart.curve(f, s, lower, upper, colour, 1.2);
 }
 
 std::string spectra(const analysis::LoadHistory& run, const analysis::LoadHistory& measured,
@@ -129,10 +124,11 @@ std::string spectra(const analysis::LoadHistory& run, const analysis::LoadHistor
   const double segment = comparison["spectrum"]["segment"].get<double>();
   const statistics::Spectrum a = *analysis::spectrum_of(run, segment), b = *analysis::spectrum_of(measured, segment);
   const double high = 3.0 * largest_of(a.density, b.density);
-  Chart chart(730.0, 375.0, 245.0, 260.0, "spectra with 95 % bands",
-              {"frequency [Hz]", std::min(a.frequency[1], b.frequency[1]),
-               std::max(a.frequency.back(), b.frequency.back()), true},
-              {label("density", run.unit.empty() ? "" : fmt::format("({})²/Hz", run.unit)), 1e-7 * high, high, true});
+  Chart chart(
+      730.0, 375.0, 245.0, 260.0, "spectra with 95 % bands",
+      {"frequency [Hz]", std::min(a.frequency[1], b.frequency[1]), std::max(a.frequency.back(), b.frequency.back()),
+       true},
+      {axis_label("density", run.unit.empty() ? "" : fmt::format("({})²/Hz", run.unit)), 1e-7 * high, high, true});
   draw_spectrum(a, kRun, chart);
   draw_spectrum(b, kMeasured, chart);
   return chart.svg();

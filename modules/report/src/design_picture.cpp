@@ -16,10 +16,6 @@ using Samples = std::vector<double>;
 
 constexpr double kHour = 3600.0;  // [s]
 
-std::string label(const analysis::Design& design) {
-  return design.unit.empty() ? "load" : fmt::format("load [{}]", design.unit);
-}
-
 /// Levels of one state against hours of exposure.
 struct Levels {
   Samples hours, level, lower, upper;
@@ -30,8 +26,7 @@ Levels levels_of(const analysis::Design& design, const analysis::DesignState& st
   Levels out;
   if (!design.tail || !state.in_tail) return out;
   const double first = 1.2 * state.extremes.duration / kHour / static_cast<double>(state.extremes.over.size());
-  for (int i = 0; i < kPoints; ++i) {
-    const double hours = first * std::pow(last / first, i / (kPoints - 1.0));
+  for (const double hours : at_equal_ratios(first, last, kPoints)) {
     const auto level = design.tail->level(design.exposure(state, hours));
     if (!level) continue;
     out.hours.push_back(hours);
@@ -72,10 +67,9 @@ Panels exposure_panels(const analysis::Design& design, const analysis::DesignSet
     const double left = 85.0 + kPanel * static_cast<double>(n % kColumns);
     const double top = 50.0 + kPanelHeight * std::floor(static_cast<double>(n) / kColumns);
     Chart chart(left, top, 230.0, 160.0, design.states[i].setting->name, {"exposure [h]", first, last, true},
-                {label(design), low, high});
+                {axis_label("load", design.unit), low, high});
     for (double& end : all[i].upper) end = std::min(end, 2.0 * high);
-    chart.band(all[i].hours, all[i].lower, all[i].upper, kLineColours[0]);
-    chart.line(all[i].hours, all[i].level, kLineColours[0], 1.5);
+    chart.curve(all[i].hours, all[i].level, all[i].lower, all[i].upper, kLineColours[0]);
     panels.svg += chart.svg();
     panels.width = std::max(panels.width, left + 255.0);
     panels.height = top + kPanelHeight - 30.0;
@@ -92,8 +86,7 @@ std::string years_chart(const analysis::Design& design, const analysis::DesignSe
   const auto [shortest, longest] = std::ranges::minmax(asked.years);
   const double first = 0.5 * shortest, last = 2.0 * longest;
   Samples years, level, lower, upper;
-  for (int i = 0; i < kPoints; ++i) {
-    const double period = first * std::pow(last / first, i / (kPoints - 1.0));
+  for (const double period : at_equal_ratios(first, last, kPoints)) {
     const auto at = design.tail->level(design.exposure(period));
     if (!at) continue;
     years.push_back(period);
@@ -105,9 +98,8 @@ std::string years_chart(const analysis::Design& design, const analysis::DesignSe
   const double high = std::min(1.05 * upper.back(), 3.0 * level.back());
   for (double& end : upper) end = std::min(end, high);
   Chart chart(85.0, top, 560.0, 300.0, "level of a return period, 95 %", {"return period [years]", first, last, true},
-              {label(design), 0.0, high});
-  chart.band(years, lower, upper, kLineColours[0]);
-  chart.line(years, level, kLineColours[0], 1.5);
+              {axis_label("load", design.unit), 0.0, high});
+  chart.curve(years, level, lower, upper, kLineColours[0]);
   for (const double period : asked.years) chart.line({period, period}, {0.0, high}, "#bbb");
   if (design.json.contains("full_crushing")) {
     const double crushing = design.json["full_crushing"]["horizontal"].get<double>();

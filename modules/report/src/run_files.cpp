@@ -12,10 +12,12 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/run_summary.hpp"
-#include "brash/report/plan_view.hpp"
+#include "brash/report/pictures.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/statistics/moments.hpp"
+#include "brash/statistics/spectrum.hpp"
+#include "brash/statistics/summary.hpp"
 
 namespace brash::report {
 namespace {
@@ -23,12 +25,24 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
+/// The spectrum that `brash stats --spectrum` writes without a segment; null where the history is too short.
+ordered_json spectrum_json(const analysis::LoadHistory& load) {
+  const auto spectrum = analysis::spectrum_of(load, 0.0);
+  if (!spectrum) return nullptr;
+  const statistics::Interval factors = statistics::spectrum_factors(*spectrum);
+  return {{"frequency", spectrum->frequency},
+          {"density", spectrum->density},
+          {"factors_95", {factors.lower, factors.upper}},
+          {"n_segments", spectrum->n_segments}};
+}
+
 ordered_json statistics_and_events(const analysis::LoadHistory& load) {
   ordered_json out = analysis::statistics_of(load);
   out["events"] = ordered_json::array();
   for (const statistics::LoadEvent& e : analysis::events_of(load))
     out["events"].push_back(
         {{"start", e.start}, {"end", e.end}, {"peak_time", e.peak_time}, {"peak", e.peak}, {"impulse", e.impulse}});
+  out["spectrum"] = spectrum_json(load);
   return out;
 }
 
@@ -48,8 +62,9 @@ ordered_json of_lower_end(const analysis::LoadHistory& load) {
   ordered_json out = statistics_and_events(analysis::negated(load));
   out["column"] = load.column;
   std::swap(out["minimum"], out["maximum"]);
-  turn(out, {"mean", "mean_95", "minimum", "maximum", "skewness", "quantile_1", "quantile_50", "quantile_95",
-             "quantile_99"});
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto) {
+    if (of.turns) turn(out, {of.name});
+  });
   turn(out["peaks"], {"level", "mean", "maximum"});
   turn(out["extremes"], {"threshold", "level", "level_95"});
   turn(out["block_maxima"], {"location", "level", "level_95"});
@@ -120,7 +135,7 @@ void expect_manifest(const std::string& directory) {
 
 std::string write_report(const std::string& directory) {
   expect_manifest(directory);
-  if (!recording::is_campaign(directory)) return write_run_report(report_source(directory));
+  if (!io::is_campaign(directory)) return write_run_report(report_source(directory));
   std::error_code no_cases;
   for (const auto& entry : fs::directory_iterator(directory + "/cases", no_cases))
     if (!entry.is_symlink() && fs::exists(entry.path() / "run.nc"))

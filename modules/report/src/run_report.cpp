@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 #include <type_traits>
 #include <unordered_map>
 
@@ -18,7 +17,6 @@
 #include "brash/report/report.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
-#include "load_statistics.hpp"
 #include "page.hpp"
 
 namespace brash::report {
@@ -212,9 +210,7 @@ ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& b
           {"manifest", read_json(run.directory + "/manifest.json")},
           {"summary", summary},
           {"closed_forms", ordered_json::parse(run.closed_forms)},
-          {"loads", ordered_json::parse(run.loads())},
-          {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0),
-                                         summary.value("statistics_until", std::numeric_limits<double>::infinity()))}};
+          {"loads", ordered_json::parse(run.loads())}};
 }
 
 /// The measured history: its name and statistics as JSON, its samples as blocks.

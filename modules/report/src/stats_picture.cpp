@@ -18,8 +18,6 @@ constexpr const char* kLoad = "#1f4e79";
 constexpr const char* kMark = "#b3261e";
 constexpr double kChartHeight = 235.0, kChartWidth = 240.0;
 
-std::string label(const std::string& unit) { return unit.empty() ? "load" : fmt::format("load [{}]", unit); }
-
 /// The law that is drawn: the recommended one, else the first that was fitted.
 const ExtremeEstimate* drawn(const ExtremeAnalysis& analysis) {
   if (analysis.recommended) return &analysis.of(*analysis.recommended);
@@ -37,8 +35,8 @@ std::string quantile_chart(const ExtremeEstimate& e, const std::string& unit, do
   const double low = std::min(expected.front(), values.front()), high = std::max(expected.back(), values.back());
   const double margin = 0.05 * (high - low);
   Chart chart(left, top, kChartWidth, kChartHeight, fmt::format("quantiles: {}", name_of(e.law)),
-              {fmt::format("{}, by the law", label(unit)), low - margin, high + margin},
-              {label(unit), low - margin, high + margin});
+              {fmt::format("{}, by the law", axis_label("load", unit)), low - margin, high + margin},
+              {axis_label("load", unit), low - margin, high + margin});
   chart.line({low, high}, {low, high}, "#333");
   for (std::size_t i = 0; i < values.size(); ++i) chart.point(expected[i], values[i], kLoad, 2.5);
   return chart.svg();
@@ -58,8 +56,7 @@ std::string level_chart(const ExtremeAnalysis& analysis, const ExtremeEstimate& 
   const double first = 1.2 / e.rate;
   const double last = std::max(analysis.values.duration, e.level ? analysis.return_period : 0.0) * 1.5;
   Samples periods, levels, lower, upper;
-  for (int i = 0; i < kPeriods; ++i) {
-    const double period = first * std::pow(last / first, i / (kPeriods - 1.0));
+  for (const double period : at_equal_ratios(first, last, kPeriods)) {
     const auto level = level_of(e, period);
     if (!level) continue;
     periods.push_back(period);
@@ -73,9 +70,8 @@ std::string level_chart(const ExtremeAnalysis& analysis, const ExtremeEstimate& 
   const double top_level = upper_end(low, high);
   for (double& end : upper) end = std::min(end, 2.0 * top_level - low);  // beyond the drawing
   Chart chart(left, top, kChartWidth, kChartHeight, "level once in a return period",
-              {"return period [s]", first, last, true}, {label(unit), low, top_level});
-  chart.band(periods, lower, upper, kLoad);
-  chart.line(periods, levels, kLoad, 1.5);
+              {"return period [s]", first, last, true}, {axis_label("load", unit), low, top_level});
+  chart.curve(periods, levels, lower, upper, kLoad);
   draw_values(e, chart);
   if (e.level) chart.line({analysis.return_period, analysis.return_period}, {low, top_level}, kMark);
   return chart.svg();
@@ -94,8 +90,7 @@ std::string threshold_chart(const ExtremeAnalysis& analysis, const std::string& 
   }
   const double margin = 0.05 * (thresholds.back() - thresholds.front());
   Chart chart(left, top, kChartWidth, kChartHeight, "shape of Pareto against the threshold",
-              {fmt::format("threshold{}", unit.empty() ? "" : " [" + unit + "]"), thresholds.front() - margin,
-               thresholds.back() + margin},
+              {axis_label("threshold", unit), thresholds.front() - margin, thresholds.back() + margin},
               {"shape", low, high});
   // The error of the shape is (1 + shape)/sqrt(peaks).
   for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -112,7 +107,8 @@ std::string history_chart(const analysis::LoadHistory& load, const ExtremeAnalys
   const auto [smallest, largest] = std::ranges::minmax(load.history.values);
   const double low = std::min(0.0, smallest), high = upper_end(low, std::max(0.0, largest));
   Chart chart(75.0, 30.0, 900.0, 130.0, fmt::format("{} with {} load events", load.column, events.size()),
-              {"time [s]", load.history.times.front(), load.history.times.back()}, {label(load.unit), low, high});
+              {"time [s]", load.history.times.front(), load.history.times.back()},
+              {axis_label("load", load.unit), low, high});
   chart.history(load.history.times, load.history.values, load.even.cuts, kLoad);
   for (const LoadEvent& event : events) chart.point(event.peak_time, event.peak, kMark, 2.0);
   chart.line({load.history.times.front(), load.history.times.back()}, {analysis.values.mean, analysis.values.mean},

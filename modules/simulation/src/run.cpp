@@ -431,7 +431,8 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {
-    progress.counts.summary.window = Setup(resolved).window;
+    finished.setup = std::make_shared<const Setup>(resolved);
+    progress.counts.summary.window = finished.setup->window;
     RowSummary rows(resolved, progress.counts.summary.window);
     for_each_earlier(options.checkpoint, [&](const model::RunResults& part) { rows.add(part); });
     rows.add(finished.results);

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
 
 #include "brash/simulation/warnings.hpp"
 #include "brash/statistics/quantile.hpp"
@@ -20,20 +21,12 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
 
 statistics::Summary summarise_component(const std::vector<double>& samples, double step) {
-  if (samples.size() < 2)
-    return {.mean = kUnknown,
-            .standard_deviation = kUnknown,
-            .minimum = kUnknown,
-            .maximum = kUnknown,
-            .skewness = kUnknown,
-            .quantile_1 = kUnknown,
-            .quantile_50 = kUnknown,
-            .quantile_95 = kUnknown,
-            .quantile_99 = kUnknown,
-            .autocorrelation_time = kUnknown,
-            .effective_sample_size = kUnknown,
-            .mean_95 = {kUnknown, kUnknown}};
-  return statistics::summarise(samples, step);
+  if (samples.size() >= 2) return statistics::summarise(samples, step);
+  statistics::Summary unknown;
+  statistics::Summary::visit([&](const statistics::Statistic&, auto member) {
+    if constexpr (std::is_same_v<decltype(member), double statistics::Summary::*>) unknown.*member = kUnknown;
+  });
+  return unknown;
 }
 
 nlohmann::ordered_json json_of(const std::vector<RegionMean>& means) {
@@ -58,23 +51,18 @@ nlohmann::ordered_json interval_of(const RunSummary& run, const statistics::Summ
 }
 
 nlohmann::ordered_json json_of(const RunSummary& run, const statistics::Summary& s, const LoadSplit& by_cause) {
-  return {{"mean", s.mean},
-          {"mean_95", interval_of(run, s)},
-          {"standard_deviation", s.standard_deviation},
-          {"minimum", s.minimum},
-          {"maximum", s.maximum},
-          {"skewness", s.skewness},
-          {"quantile_1", s.quantile_1},
-          {"quantile_50", s.quantile_50},
-          {"quantile_95", s.quantile_95},
-          {"quantile_99", s.quantile_99},
-          {"autocorrelation_time", s.autocorrelation_time},
-          {"effective_sample_size", s.effective_sample_size},
-          {"long_enough", s.long_enough},
-          {"mean_by_cause",
-           {{"crushing", by_cause.crushing},
-            {"floe_normal", by_cause.floe_normal},
-            {"floe_friction", by_cause.floe_friction}}}};
+  nlohmann::ordered_json json;
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto member) {
+    if (!of.in_runs) return;
+    if constexpr (std::is_same_v<decltype(member), statistics::Interval statistics::Summary::*>)
+      json[of.name] = interval_of(run, s);
+    else
+      json[of.name] = s.*member;
+  });
+  json["mean_by_cause"] = {{"crushing", by_cause.crushing},
+                           {"floe_normal", by_cause.floe_normal},
+                           {"floe_friction", by_cause.floe_friction}};
+  return json;
 }
 
 template <typename Counts>

@@ -163,6 +163,7 @@ Summary summarise_weighted(std::span<const double> samples, std::span<const doub
   summary.minimum = m.minimum;
   summary.maximum = m.maximum;
   summary.skewness = m.skewness;
+  summary.excess_kurtosis = m.excess_kurtosis;
   summary.quantile_1 = q[0];
   summary.quantile_50 = q[1];
   summary.quantile_95 = q[2];

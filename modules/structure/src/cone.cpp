@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cone.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
+#include "frustum.hpp"
 
 namespace brash::structure {
 namespace {

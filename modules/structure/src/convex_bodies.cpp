@@ -13,7 +13,6 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/plane.hpp"
 #include "brash/structure/inner_radius.hpp"
-#include "extreme_points.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {
@@ -62,10 +61,6 @@ TriangleMesh in_order(const TriangleMesh& mesh) {
   std::ranges::sort(sorted.triangles);
   return sorted;
 }
-
-struct Box {
-  Vec3 least, most;
-};
 
 /// The closed convex hull of points; without a volume when they lie in a plane.
 TriangleMesh hull_of(std::vector<Vec3> points) {
@@ -235,15 +230,6 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
     if (larger.vertices == hull.vertices) return hull;  // rounding placed vertices outside that are not
     hull = std::move(larger);
   }
-}
-
-Box box_around(const std::vector<Vec3>& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec3 v : points) {
-    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
-    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
-  }
-  return box;
 }
 
 std::vector<Piece> pieces_of(const TriangleMesh& shell) {

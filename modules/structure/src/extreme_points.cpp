@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "extreme_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <tuple>
+
+#include "convex_bodies.hpp"
+#include "triangle_mesh.hpp"
 
 namespace brash::structure {
 namespace {
@@ -12,27 +13,18 @@ namespace {
 /// Neighbouring points and the box around them.
 struct Block {
   std::span<const Vec3> points;
-  Vec3 least, most;
+  Box box;
 };
-
-Block block_of(std::span<const Vec3> points) {
-  Block block{points, points.front(), points.front()};
-  for (const Vec3 v : points) {
-    block.least = {std::min(block.least.x, v.x), std::min(block.least.y, v.y), std::min(block.least.z, v.z)};
-    block.most = {std::max(block.most.x, v.x), std::max(block.most.y, v.y), std::max(block.most.z, v.z)};
-  }
-  return block;
-}
 
 /// Halves points across the longest side of their box until each block has few.
 void divide(std::span<Vec3> points, std::vector<Block>& blocks) {
   constexpr std::size_t kFewPoints = 64;
-  const Block whole = block_of(points);
+  const Block whole{points, box_around(points)};
   if (points.size() <= kFewPoints) {
     blocks.push_back(whole);
     return;
   }
-  const Vec3 size = whole.most - whole.least;
+  const Vec3 size = whole.box.size();
   const auto along = size.x >= std::max(size.y, size.z) ? &Vec3::x : size.y >= size.z ? &Vec3::y : &Vec3::z;
   const std::size_t half = points.size() / 2;
   std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end(),
@@ -48,8 +40,9 @@ auto distance_and_order(Vec3 towards, const Vec3& v) { return std::tuple(dot(tow
 /// so the corner bounds its points exactly.
 Vec3 farthest(Vec3 towards, const std::vector<Block>& blocks) {
   const auto bound = [&](const Block& block) {
-    return dot(towards, {towards.x > 0.0 ? block.most.x : block.least.x, towards.y > 0.0 ? block.most.y : block.least.y,
-                         towards.z > 0.0 ? block.most.z : block.least.z});
+    return dot(towards, {towards.x > 0.0 ? block.box.most.x : block.box.least.x,
+                         towards.y > 0.0 ? block.box.most.y : block.box.least.y,
+                         towards.z > 0.0 ? block.box.most.z : block.box.least.z});
   };
   const auto order = [&](const Vec3& v) { return distance_and_order(towards, v); };
   const auto farthest_of = [&](const Block& block) { return *std::ranges::max_element(block.points, {}, order); };

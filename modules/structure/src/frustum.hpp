@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "brash/structure/hull.hpp"
@@ -54,5 +55,25 @@ Surface surface_with(Vec3 normal);
 
 /// The displacement of the part of a closed mesh below z = 0; `world` are its vertices in the world frame [m].
 Displacement displacement_of(const TriangleMesh& mesh, const std::vector<Vec3>& world);
+
+/// A round cone: the paper's structure (Table 1, Fig. 9). Its faceted frustum represents it in contacts, and where it
+/// heels; upright it has the slope and the displacement of the round cone.
+class Cone final : public Frustum {
+ public:
+  explicit Cone(const model::Cone& cone);
+
+  /// Upright, the vertices lie on the round cone.
+  Footprint footprint(const Pose& pose, double bottom, double top) const override;
+  Surface surface_at(const Pose& pose, Vec3 point) const override;
+  Displacement displaced(const Pose& pose) const override;
+
+ private:
+  model::Cone cone_;
+};
+
+// Shapes with plane sides that stand between a keel and a top.
+std::unique_ptr<const Hull> hull_of(const model::FacetedCone& cone);
+std::unique_ptr<const Hull> hull_of(const model::Plane& plane);
+std::unique_ptr<const Hull> hull_of(const model::WedgeBow& bow);
 
 }  // namespace brash::structure

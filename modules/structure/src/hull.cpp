@@ -2,13 +2,12 @@
 #include "brash/structure/hull.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "brash/core/contract.hpp"
-#include "cone.hpp"
+#include "frustum.hpp"
 #include "legs.hpp"
 #include "mesh_hull.hpp"
-#include "plane_sided.hpp"
+#include "triangle_mesh.hpp"
 
 namespace brash::structure {
 namespace {
@@ -27,13 +26,8 @@ std::unique_ptr<const Hull> make_hull(const model::StructureSection& structure) 
 }
 
 std::pair<Vec3, Vec3> Hull::bounds() const {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Vec3 least{kFar, kFar, kFar}, most = -least;
-  for (const Vec3 v : mesh().vertices) {
-    least = {std::min(least.x, v.x), std::min(least.y, v.y), std::min(least.z, v.z)};
-    most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
-  }
-  return {least, most};
+  const Box box = box_around(mesh().vertices);
+  return {box.least, box.most};
 }
 
 double Hull::reach() const {

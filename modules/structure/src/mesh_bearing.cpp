@@ -25,21 +25,6 @@ constexpr double kWider = 1.5;
 /// A ship's centre of buoyancy lies higher above the keel, over the draught [-].
 constexpr double kLowBuoyancy = 0.485;
 
-struct Box {
-  Vec3 least, most;
-  Vec3 size() const { return most - least; }
-  Vec3 middle() const { return 0.5 * (least + most); }
-};
-
-Box box_of(const TriangleMesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Vec3 v : mesh.vertices) {
-    box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
-    box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
-  }
-  return box;
-}
-
 Vec3 centroid_of(const TriangleMesh& mesh) {
   const Vec3 apex = mesh.vertices.front();
   Vec3 moment{};
@@ -86,7 +71,7 @@ Bearing astern(const MeshSections& sections) {
 
 Bearing bearing_of(const MeshSections& sections) {
   const TriangleMesh& mesh = sections.mesh();
-  const Box box = box_of(mesh);
+  const Box box = box_around(mesh.vertices);
   const Vec3 size = box.size();
   if (size.x < kLong * std::max(size.y, size.z)) return {};
   const Vec3 off = centroid_of(mesh) - box.middle();

@@ -135,17 +135,6 @@ tl::expected<Soup, MeshError> soup_of(const std::string& bytes, const std::strin
 std::string place(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 Vec3 vec(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-struct Box {
-  Vec3 least{HUGE_VAL, HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-  void add(Vec3 p) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-  }
-  double extent() const { return norm(most - least); }
-  Vec3 middle() const { return 0.5 * (least + most); }
-};
-
 Box box_of(const SurfaceMesh& mesh) {
   Box box;
   for (const auto v : mesh.vertices()) box.add(vec(mesh.point(v)));
@@ -368,9 +357,8 @@ tl::expected<TriangleMesh, MeshError> outer_shells(TriangleMesh mesh, std::vecto
   std::vector<bool> inwards;
   for (int s = 0; s < n_shells; ++s) {
     shells.push_back(part_of(mesh, [&, &of = shell_of](std::size_t t) { return of[t] == s; }));
-    Box box;
-    for (const Vec3 v : shells.back().vertices) box.add(v);
-    const Vec3 size = box.most - box.least;
+    const Box box = box_around(shells.back().vertices);
+    const Vec3 size = box.size();
     const double volume = signed_volume(shells.back());
     if (std::abs(volume) <= kFlatShell * size.x * size.y * size.z)
       return tl::unexpected(MeshError{fmt::format("has a shell without a volume near {}", place(box.middle())),

@@ -49,12 +49,7 @@ MeshBody::MeshBody(TriangleMesh mesh, MeshReport read) : sections(std::move(mesh
   parts = std::move(bodies.parts);
   report.n_parts = static_cast<int>(parts.size());
   report.parts_error = bodies.error;
-  Vec3 least = sections.mesh().vertices.front(), most = least;
-  for (const Vec3 v : sections.mesh().vertices) {
-    least = {std::min(least.x, v.x), std::min(least.y, v.y), std::min(least.z, v.z)};
-    most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
-  }
-  report.size = most - least;
+  report.size = box_around(sections.mesh().vertices).size();
   report.bearing = bearing_of(sections);
   tolerance = kOutlineError * norm(report.size);
 }

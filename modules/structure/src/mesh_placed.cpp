@@ -13,6 +13,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/structure/inner_radius.hpp"
 #include "mesh_hull.hpp"
+#include "triangle_mesh.hpp"
 
 namespace brash::structure {
 namespace {
@@ -101,12 +102,8 @@ Placed placed(const std::string& bytes, const model::Mesh& how) {
     return tl::unexpected(MeshError{"has an unknown ending", ".stl, .obj, .ply or .off", "export it in such a format"});
   auto read = read_mesh(bytes, kind.substr(1));
   if (!read) return tl::unexpected(read.error());
-  Vec3 least = read->mesh.vertices.front(), most = least;
-  for (const Vec3 v : read->mesh.vertices) {
-    least = {std::min(least.x, v.x), std::min(least.y, v.y), std::min(least.z, v.z)};
-    most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
-  }
-  const Vec3 size = how.scale * (most - least);
+  const Box box = box_around(read->mesh.vertices);
+  const Vec3 size = how.scale * box.size();
   const double length = std::max({size.x, size.y, size.z});
   if (!(length <= kLongest))
     return tl::unexpected(MeshError{fmt::format("is {:.4g} km long", length / 1e3),

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plane_sided.hpp"
-
 #include <cmath>
 #include <vector>
 

@@ -1,11 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "brash/structure/hull.hpp"
 
 namespace brash::structure {
+
+/// A box along the axes [m]; without points nothing is in it.
+struct Box {
+  Vec3 least{HUGE_VAL, HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+  void add(Vec3 p) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+  }
+  Vec3 size() const { return most - least; }
+  double extent() const { return norm(size()); }  ///< length of its diagonal [m]
+  Vec3 middle() const { return 0.5 * (least + most); }
+};
+
+inline Box box_around(std::span<const Vec3> points) {
+  Box box;
+  for (const Vec3 p : points) box.add(p);
+  return box;
+}
 
 /// The three corners of triangle `t` [m].
 inline std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::size_t t) {

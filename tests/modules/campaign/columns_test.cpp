@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "columns.hpp"
-
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "case_results.hpp"
 
 using namespace brash;
 using namespace brash::campaign;

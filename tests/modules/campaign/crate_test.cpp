@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crate.hpp"
-
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
 #include "brash/core/sha256.hpp"
+#include "collect.hpp"
 #include "scratch.hpp"
 
 using namespace brash;

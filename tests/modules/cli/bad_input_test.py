@@ -2,12 +2,14 @@
 """Every broken input of tests/corpus/bad is refused: exit code 2, a message that says where, what, what is allowed and
 what to do, nothing written and nothing left behind, in little time and memory.
 
-tests/corpus/bad/expected.toml says for each file which command reads it and what the message must say.
+tests/corpus/bad/expected.toml says for each file which command reads it and what the message must say. The files are
+the named blocks of tests/corpus/bad/*.txt, and those beside them that are no text.
 """
 import os
 import pathlib
 import resource
 import shlex
+import shutil
 import subprocess
 import tempfile
 import tomllib
@@ -44,6 +46,18 @@ def expectations(path):
     return [line[len(mark):].decode() for line in path.read_bytes().split(b"\n") if line.startswith(mark)]
 
 
+def unpack(source, folder):
+    """Makes a folder of files of each file of named blocks, and copies the files that are no text."""
+    shutil.copytree(source, folder)
+    for blocks in folder.glob("*.txt"):
+        (folder / blocks.stem).mkdir(exist_ok=True)
+        for block in (b"\n" + blocks.read_bytes()).removesuffix(b"\n").split(b"\n=== ")[1:]:
+            name, content = block.split(b"\n", 1)
+            (folder / blocks.stem / name.decode()).write_bytes(content)
+        blocks.unlink()
+    (folder.parent / "units.txt").touch()  # a file outside, to which some cases lead
+
+
 class BadInput(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -55,6 +69,8 @@ class BadInput(unittest.TestCase):
             folder.mkdir()
         broken_files.make_good(BRASH, SOURCE, cls.good)
         broken_files.make_broken(cls.good, cls.made)
+        cls.corpus = cls.path / "corpus/bad"
+        unpack(CORPUS, cls.corpus)
         cls.expected = tomllib.loads((CORPUS / "expected.toml").read_text(encoding="utf-8"))
 
     def refuse(self, command, file, wanted):
@@ -77,7 +93,7 @@ class BadInput(unittest.TestCase):
         n = 0
         seen = set()
         for name, group in self.expected.items():
-            folder = self.made if group.get("made") else CORPUS
+            folder = self.made if group.get("made") else self.corpus
             files = group.get("says")
             if files is None:  # the files themselves say it
                 files = {p.name: expectations(p) for p in sorted((folder / name).iterdir())}
@@ -95,7 +111,7 @@ class BadInput(unittest.TestCase):
             with self.subTest(folder=name):
                 self.assertEqual(files_below(folder / group.get("folder", name)), before, "the input has changed, or has company")
         self.assertGreater(n, 400)
-        stored = {p for p in CORPUS.rglob("*") if p.is_file() and p.name not in ("expected.toml", "README.md")}
+        stored = {p for p in self.corpus.rglob("*") if p.is_file() and p.name not in ("expected.toml", "README.md")}
         self.assertEqual(sorted(stored - seen), [], "no command is said to read these")
 
 

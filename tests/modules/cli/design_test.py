@@ -238,7 +238,7 @@ class Design(unittest.TestCase):
             self.assertIn(f"{option} requires {needed}", self.design(option, value, code=2))
         self.assertIn("no setting matches 'x*'\n  allowed: one of: thin, thick", self.design("--where", "x*", code=2))
         done = subprocess.run([BRASH, "design", str(self.folder / "cases")], capture_output=True, text=True)
-        self.assertIn("is not a campaign: it has no folder cases/", done.stderr)
+        self.assertIn("is not a campaign: it has no campaign.csv", done.stderr)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "failure_commands.hpp"
-
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +14,7 @@
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_responses.hpp"
 #include "brash/failure/response_model.hpp"
+#include "commands.hpp"
 
 namespace brash::cli {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry_commands.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,6 +14,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/geometry/text.hpp"
+#include "commands.hpp"
 
 namespace brash::cli {
 namespace {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "brash/core/error.hpp"
-#include "database_command.hpp"
-#include "train_command.hpp"
+#include "commands.hpp"
 
 namespace brash::cli {
 namespace {

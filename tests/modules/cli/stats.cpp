@@ -12,8 +12,8 @@
 
 #include "brash/core/error.hpp"
 #include "brash/statistics/random.hpp"
+#include "commands.hpp"
 #include "history_file.hpp"
-#include "stats_commands.hpp"
 
 namespace {
 

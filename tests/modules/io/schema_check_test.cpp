@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "schema_check.hpp"
-
 #include <boost/test/unit_test.hpp>
 #include <string>
 
 #include "brash/core/contract.hpp"
+#include "schema.hpp"
 
 using brash::io::allows;
 using nlohmann::json;

@@ -179,7 +179,7 @@ test("a saved chart shows the mean with its interval, the reference, cracks, poi
   assert.ok(picture.some(([r, g, b]) => r > 150 && g < 60 && b < 60), "cracks are red");
 
   const shares = await readChart(at, (await save("Exceedance of the load", "SVG")).toString());
-  const nPeaks = await at.evaluate(() => window.brashReport.run.data.statistics.Fx.peaks.value.length);
+  const nPeaks = await at.evaluate(() => window.brashReport.run.data.loads.Fx.events.length);
   assert.equal(shares.paths["of the peaks"][1].match(/Z/g).length, nPeaks);
   const lengths = await readChart(at, (await save("Histogram: breaking length", "SVG")).toString());
   const columns = lengths.paths.count[0].match(/V[\d.]+h/g).map((top) => Math.round(numberAt(lengths.y, Number(top.slice(1, -1)))));
@@ -239,9 +239,11 @@ test("a load that acts downwards has its peaks, high quantiles and extremes at i
   const closed = await at.locator("#closed-forms tbody tr", { hasText: "99 % quantile" }).locator("td").allTextContents();
   assert.deepEqual(closed.slice(3), [kN(-stats.quantile_99), "vertical: above it 99 % of the time"]);
 
-  const { value } = await at.evaluate(() => window.brashReport.run.data.statistics.Fz.peaks);
-  assert.ok(value.every((peak, i) => peak < -stats.mean && (i === 0 || peak >= value[i - 1])), "the deepest first");
-  assert.match(await at.getByText(/peaks between downward crossings of the mean/).innerText(), new RegExp(`; ${value.length} peaks`));
+  const { events, spectrum } = await at.evaluate(() => window.brashReport.run.data.loads.Fz);
+  assert.ok(events.every(({ peak }) => peak < -stats.mean), "below the mean");
+  assert.match(await at.getByText(/^Exceedance of/).innerText(), new RegExp(`; peaks of ${events.length} load events`));
+  brash("stats", file, "--column", "Fz", "--from", "1.005", "--spectrum", join(folder, "spectrum.csv"));
+  assert.deepEqual(spectrum.density.map(Math.fround), readCsv(join(folder, "spectrum.csv")).map((row) => Math.fround(Number(row.density))));
   const lowest = readCsv(file).reduce((least, row) => (Number(row.Fz) < Number(least.Fz) ? row : least));
   assert.equal(await ask(at, (report) => (report.loads.chooseLargest(), report.player.time)), Number(lowest.time));
   await at.close();

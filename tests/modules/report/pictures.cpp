@@ -10,6 +10,7 @@
 #include "brash/core/text.hpp"
 #include "brash/statistics/random.hpp"
 #include "chart.hpp"
+#include "drawing.hpp"
 
 namespace {
 
@@ -51,6 +52,30 @@ std::string picture_of(double mean, double amplitude) {
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(pictures)
+
+BOOST_AUTO_TEST_CASE(a_drawing_is_to_scale_with_y_upwards) {
+  Drawing drawing({10.0, 20.0}, 2.0, {-1.0, 0.0}, {4.0, 3.0});
+  drawing.box({-1.0, 0.0}, {0.0, 1.0}, "class=\"ice\"");
+  BOOST_TEST(drawing.svg() == "<path d=\"M10.0 26.0L12.0 26.0L12.0 24.0L10.0 24.0Z\" class=\"ice\"/>\n");
+  BOOST_TEST((drawing.on_page({4.0, 3.0}) == Vec2{20.0, 20.0}));
+  BOOST_TEST((drawing.size() == Vec2{10.0, 6.0}));
+  drawing.rings_within({{{0.0, 0.0}, {9.0, 0.0}, {9.0, 9.0}}}, "class=\"land\"");
+  BOOST_TEST(contains(drawing.svg(), "viewBox=\"10.0 20.0 10.0 6.0\""));
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_lies_in_its_band) {
+  BOOST_TEST(at_equal_ratios(1.0, 100.0, 3) == std::vector<double>({1.0, 10.0, 100.0}),
+             boost::test_tools::per_element());
+  BOOST_TEST(axis_label("load", "kN") == "load [kN]");
+  BOOST_TEST(axis_label("load", "") == "load");
+  Chart chart(0.0, 0.0, 100.0, 100.0, "", {"x", 0.0, 1.0}, {"", 0.0, 1.0});
+  chart.curve({0.0, 1.0}, {0.5, 0.5}, {0.25, 0.25}, {0.75, 0.75}, "#123456");
+  const std::string svg = chart.svg();
+  const std::size_t band = svg.find("M0.0 25.0L100.0 25.0L100.0 75.0L0.0 75.0Z"),
+                    line = svg.find("M0.0 50.0L100.0 50.0\"");
+  BOOST_TEST(band < line);
+  BOOST_TEST((line != std::string::npos));
+}
 
 BOOST_AUTO_TEST_CASE(an_axis_of_large_numbers_has_its_unit_with_a_prefix) {
   const auto chart = [](const char* label, double upper, bool logarithmic) {

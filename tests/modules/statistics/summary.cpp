@@ -5,6 +5,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "brash/core/contract.hpp"
@@ -49,12 +52,34 @@ BOOST_AUTO_TEST_CASE(moments_and_quantiles_of_a_short_history_are_those_of_hand_
   BOOST_TEST(s.mean == 4.0, close);
   BOOST_TEST(s.standard_deviation == std::sqrt(50.0 / 4.0), close);
   BOOST_TEST(s.skewness == (180.0 / 5.0) / std::pow(10.0, 1.5), close);  // 0, -27, -1, -8, 216
+  BOOST_TEST(s.excess_kurtosis == (0.0 + 81.0 + 1.0 + 16.0 + 1296.0) / 5.0 / 100.0 - 3.0, close);
   BOOST_TEST(s.minimum == 1.0);
   BOOST_TEST(s.maximum == 10.0);
   BOOST_TEST(s.quantile_1 == 1.04, close);
   BOOST_TEST(s.quantile_50 == 3.0, close);
   BOOST_TEST(s.quantile_95 == 4.0 + 0.8 * 6.0, close);
   BOOST_TEST(s.quantile_99 == 4.0 + 0.96 * 6.0, close);
+}
+
+BOOST_AUTO_TEST_CASE(the_list_of_statistics_has_each_once_and_says_which_change_sign_with_the_load) {
+  std::vector<double> x = first_order(0.5, 400, 3), turned = x;
+  for (std::size_t i = 0; i < x.size(); ++i) turned[i] = -(x[i] = std::exp(x[i]));
+  const Summary a = summarise(x, 0.1), b = summarise(turned, 0.1);
+  std::set<std::string> names;
+  std::size_t bytes = sizeof(a.n);
+  Summary::visit([&](const Statistic& of, auto member) {
+    BOOST_TEST(names.insert(of.name).second, of.name);
+    bytes += sizeof(a.*member);
+    if constexpr (std::is_same_v<decltype(member), double Summary::*>)
+      if (!of.turns) BOOST_TEST(b.*member == a.*member, boost::test_tools::tolerance(1e-9));
+  });
+  // All members, up to the padding behind the last.
+  BOOST_TEST(sizeof(Summary) - bytes < alignof(double));
+  for (const char* const name : {"mean", "mean_95", "minimum", "maximum", "skewness", "quantile_99"})
+    Summary::visit([&](const Statistic& of, auto) { BOOST_TEST((of.turns || std::string(name) != of.name), name); });
+  BOOST_TEST(b.mean == -a.mean, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(b.skewness == -a.skewness, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(b.minimum == -a.maximum);
 }
 
 // Longer than a part of the transform: products of two parts count too.

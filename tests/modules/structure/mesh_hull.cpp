@@ -9,7 +9,6 @@
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/structure/inner_radius.hpp"
 #include "convex_bodies.hpp"
-#include "extreme_points.hpp"
 #include "meshes.hpp"
 #include "triangle_mesh.hpp"
 

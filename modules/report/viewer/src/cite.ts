@@ -28,7 +28,7 @@ const kSources: Source[] = [
   { what: "rigid bodies and collision shapes", cite: "Bullet Physics, version of the manifest", works: [], used: always },
   { what: "exact geometry of cracks", cite: "CGAL, The Computational Geometry Algorithms Library, version of the manifest", works: [], used: always },
   { what: "interval of the mean", cite: "A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143", works: [kSokal, kWolff], used: always },
-  { what: "spectrum", cite: "P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70", works: [kWelch], used: (run) => run.data.statistics?.Fx.spectrum != null },
+  { what: "spectrum", cite: "P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70", works: [kWelch], used: (run) => run.data.loads?.Fx.spectrum != null },
   { what: "closed form: elastic beam", cite: "ISO 19906, A.8.2.4.4 (Croasdale)", works: [kIso19906], used: loads("Croasdale") },
   { what: "closed form: plastic cone", cite: "ISO 19906, A.8.2.4.4 (Ralston)", works: [kIso19906], used: loads("Ralston") },
   { what: "closed form: crushing of a vertical face", cite: "ISO 19906:2010, A.8.2.4.3.3", works: [kIso19906Of2010], used: loads("A.8.2.4.3.3") },

@@ -7,7 +7,7 @@ import type { Run } from "./data";
 import { css, el, section, table } from "./dom";
 import { kTooEarly } from "./extremes";
 import { deviation, inLoadUnit, loadText, loadUnit, number, seconds, superscript } from "./format";
-import type { AxisStatistics, LoadStatistics, RunData, RunSummary } from "./types";
+import type { LoadStatistics, RunData, RunSummary, Spectrum } from "./types";
 
 /** Statistics of each load, and of a measured history beside Fx. */
 function moments(run: Run, measured: RunData["measured"]): HTMLElement {
@@ -57,7 +57,7 @@ function causes(run: Run): HTMLElement | false {
 const kTooShort = "The history is too short for a spectrum.";
 
 function spectrumChart(run: Run, choice: LoadChoice): Chart {
-  const of = (): AxisStatistics["spectrum"] => run.data.statistics![choice.name].spectrum;
+  const of = (): Spectrum | null => run.data.loads![choice.name].spectrum;
   return new Chart(
     "Spectrum of the load",
     240,
@@ -100,15 +100,15 @@ const kColumns = 0.96;
 /** Steps of an axis that counts. */
 const kWhole = [1, 2, 5].flatMap((n) => [n, 10 * n, 100 * n, 1000 * n, 10000 * n]).sort((a, b) => a - b);
 
-/** Share of the time that the load, and share of the peaks that the peak, is above a level; below it at the lower end. */
+/** Share of the time that the load, and share of the load events that the peak, is above a level; below it at the lower end. */
 function exceedanceChart(run: Run, choice: LoadChoice): Chart {
-  const peaksOf = () => run.data.statistics![choice.name].peaks;
-  const isLower = () => peaksOf().lower_end;
+  const ofLoad = () => run.data.loads![choice.name];
+  const isLower = () => ofLoad().lower_end;
   return new Chart(
     "Exceedance of the load",
     240,
     () => ({
-      data: exceedance(run, choice, peaksOf()),
+      data: exceedance(run, choice, ofLoad()),
       heads: [`${choice.name} [${choice.unit}]`, ...["time", "peaks"].map((of) => `share of the ${of} ${isLower() ? "below" : "above"}`)],
       options: {
         scales: { x: { time: false }, y: { distr: 3 } },
@@ -120,7 +120,7 @@ function exceedanceChart(run: Run, choice: LoadChoice): Chart {
         ],
       },
     }),
-    () => `Exceedance of ${kLoads[choice.name].short} ${spanOf(run)}; ${peaksOf().value.length} peaks between ${isLower() ? "downward" : "upward"} crossings of the mean.`,
+    () => `Exceedance of ${kLoads[choice.name].short} ${spanOf(run)}; peaks of ${ofLoad().events.length} load events.`,
   );
 }
 
@@ -139,13 +139,15 @@ function reasonsOf(run: Run): string {
 /** Of a time, as a share. */
 const kRounding = 1e-9;
 
-function exceedance(run: Run, choice: LoadChoice, { value: peaks, lower_end }: AxisStatistics["peaks"]): uPlot.AlignedData {
+function exceedance(run: Run, choice: LoadChoice, { events, lower_end }: LoadStatistics): uPlot.AlignedData {
   const times = run.column("load.time");
   const loads = run.column(`load.${choice.name}`);
   const samples: number[] = [];
   const { statistics_from: from, statistics_until: until = Infinity } = run.data.summary;
   for (let i = 0; i < loads.length; ++i) if (times[i] > from && times[i] <= until * (1 + kRounding)) samples.push(loads[i]);
-  samples.sort((a, b) => (lower_end ? a - b : b - a));
+  const largestFirst = (a: number, b: number) => (lower_end ? a - b : b - a);
+  samples.sort(largestFirst);
+  const peaks = events.map(({ peak }) => peak).sort(largestFirst);
   const points = new Map<number, [number | null, number | null]>();
   samples.forEach((value, i) => points.set(inLoadUnit(value), [(i + 1) / (samples.length + 1), null]));
   peaks.forEach((value, i) => {
@@ -226,8 +228,8 @@ function verdictNote({ sheets, verdicts }: RunSummary): string {
 export function statisticsSection(run: Run, choice: LoadChoice, measured: RunData["measured"]): HTMLElement {
   const { data } = run;
   const s = data.summary;
-  const hasSpectrum = data.statistics?.Fx.spectrum != null;
-  const ofLoads = data.statistics ? [hasSpectrum ? spectrumChart(run, choice) : null, exceedanceChart(run, choice)] : [];
+  const hasSpectrum = data.loads?.Fx.spectrum != null;
+  const ofLoads = data.loads ? [hasSpectrum ? spectrumChart(run, choice) : null, exceedanceChart(run, choice)] : [];
   choice.onChange(() => ofLoads.forEach((chart) => chart?.redraw()));
   const charts = [
     ...ofLoads,
@@ -246,7 +248,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
         (Object.values(data.loads ?? {}).some(({ lower_end }) => lower_end) ? kLowerEnd : "") +
         (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) + verdictNote(s) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
-    el("div", { class: "charts" }, causes(run), data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
+    el("div", { class: "charts" }, causes(run), data.loads && !hasSpectrum && el("p", { class: "note" }, kTooShort),
       ...charts.map((chart) => chart && chart.element)),
   );
 }

@@ -91,12 +91,6 @@ export interface Spectrum {
   n_segments: number;
 }
 
-export interface AxisStatistics {
-  spectrum: Spectrum | null;
-  /** Largest in size first; `lower_end`: of a load that acts towards its lower end, where its peaks are. */
-  peaks: { value: number[]; time: number[]; lower_end: boolean };
-}
-
 export interface Schema {
   properties: Record<string, SchemaKey>;
 }
@@ -146,6 +140,8 @@ export interface LoadStatistics {
   recommended: ExtremeLaw;
   warnings: string[];
   events: LoadEvent[];
+  /** Null: the history is too short for it. */
+  spectrum: Spectrum | null;
   /** The load acts towards its lower end: high quantiles, events and levels are of that end. */
   lower_end: boolean;
 }
@@ -159,7 +155,6 @@ export interface RunFiles {
   summary: RunSummary;
   closed_forms: { kind: string; loads: ClosedForm[] };
   loads: Record<LoadName, LoadStatistics> | null;
-  statistics: Record<LoadName, AxisStatistics> | null;
 }
 
 export interface RunData extends RunFiles {

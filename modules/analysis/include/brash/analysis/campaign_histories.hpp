@@ -24,9 +24,6 @@ struct SettingHistories {
 /// The resolved case of a setting; nothing when the campaign left none.
 std::optional<model::Case> case_of_setting(const std::string& campaign, const std::string& setting);
 
-/// Whether a folder is a campaign's.
-bool is_campaign(const std::string& folder);
-
 /// Without a `from` of its own, `choice` takes the samples that the statistics in the `summary.json` of a run are of.
 /// @throws InputError when the file does not say where they begin.
 void begin_as_summary(HistoryChoice& choice, const std::string& summary);

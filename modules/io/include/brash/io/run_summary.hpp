@@ -10,6 +10,9 @@
 
 namespace brash::io {
 
+/// Whether a folder is a campaign's, and not a run's: it has the table campaign.csv.
+bool is_campaign(const std::string& folder);
+
 /// The number `statistics_from` of a `summary.json` [s], if it has one.
 std::optional<double> start_in(const std::string& summary);
 

@@ -229,7 +229,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "crushing_bound", c.contact.crushing_bound);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
-  visit("contact", "stiffness", c.contact.stiffness);
+  visit("contact", "collision_stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
   visit("contact", "floe_stress", c.contact.floe_stress);
   visit("hydrodynamics", "drag", c.hydrodynamics.drag);

@@ -11,9 +11,6 @@
 
 namespace brash::recording {
 
-/// Whether `directory` holds a campaign, and not a run.
-bool is_campaign(const std::string& directory);
-
 /// Makes `directory` this process's alone, for as long as the returned lock lives, and removes the half-written files
 /// of a killed process. Results that it had whole get their names.
 /// @throws InputError when another process runs in it, it holds a campaign or is a case of one, or it holds files with

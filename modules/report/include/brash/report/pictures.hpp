@@ -3,12 +3,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "brash/analysis/design.hpp"
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/analysis/load_history.hpp"
 #include "brash/analysis/pieces.hpp"
 #include "brash/analysis/resistance.hpp"
+#include "brash/core/vec.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/records.hpp"
 #include "brash/statistics/extreme_analysis.hpp"
 
 namespace brash::report {
@@ -39,5 +43,22 @@ std::string resistance_picture(const nlohmann::ordered_json& resistance,
 /// A picture (SVG) of pieces: the share of larger pieces with the fits, and the shares of number and area in smaller
 /// pieces.
 std::string pieces_picture(const analysis::PieceSizes& sizes, const analysis::PieceAnalysis& analysis);
+
+/// The ice of a case at the start and the shore: outline and holes of each piece, sheet frame [m].
+struct PicturedIce {
+  std::vector<std::vector<std::vector<Vec2>>> sheets;
+  std::vector<std::vector<std::vector<Vec2>>> floes;
+  std::vector<std::vector<std::vector<Vec2>>> land;
+};
+
+/// A case before its run, as SVG: lengthwise sections of the hull at the water and the ice, its waterlines from above,
+/// and the field with the way of the structure.
+std::string case_picture(const model::Case& resolved, const PicturedIce& of_start);
+
+/// The end of a run seen from above, as SVG: the land, the sheet with its channel, every floe where it floats (those
+/// under the sheet's level darker), the structure at its waterline, the points where the ice broke, and a scale.
+/// @param land  as in RunSource.
+std::string plan_view(const model::Case& resolved, const model::RunResults& results,
+                      const std::vector<std::vector<std::vector<Vec2>>>& land);
 
 }  // namespace brash::report

@@ -33,9 +33,9 @@ struct RunSource {
   std::string directory;
   std::string closed_forms;  ///< of the run's case, as JSON (`brash loads --json`)
   /// Makes a JSON object: for each load (Fx ... Mz) its statistics with the keys of `brash stats --json`, and its load
-  /// `events`; null where the run is over before its statistics begin. A load that acts towards its lower end has
-  /// `lower_end` true: high quantiles, peaks and extremes are taken there. It is called once the run's files are known
-  /// to be whole.
+  /// `events` and `spectrum`; null where the run is over before its statistics begin. A load that acts towards its
+  /// lower end has `lower_end` true: high quantiles, peaks and extremes are taken there. It is called once the run's
+  /// files are known to be whole.
   std::function<std::string()> loads;
   /// Outlines of the land, each with its holes, sheet frame [m]; empty: none.
   std::vector<std::vector<std::vector<Vec2>>> land{};

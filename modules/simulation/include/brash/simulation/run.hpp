@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -122,11 +123,14 @@ struct RunSummary {
   std::vector<model::Warning> warnings;  ///< that a checkpoint brought; advice::run adds its own
 };
 
+struct Setup;
+
 /// A finished run: results as written, their summary, and where the wall time went.
 struct Run {
   model::RunResults results;           ///< without the loads, frames and cracked sheets of `earlier`
   std::vector<std::string> earlier{};  ///< files with these, as of CheckpointStore::earlier, oldest first
   RunSummary summary;
+  std::shared_ptr<const Setup> setup{};      ///< of a complete run
   LoadsSeen loads_seen{StatisticsWindow{}};  ///< of a complete run: all steps, those of `earlier` too
   StageTimes stage_times;
   double wall_seconds = 0.0;

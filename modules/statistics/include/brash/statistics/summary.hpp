@@ -16,6 +16,16 @@ struct Interval {
 /// A history in pieces between which it is unknown; each evenly sampled, none empty.
 using Pieces = std::vector<std::span<const double>>;
 
+/// A statistic of a load history, as files and texts have it.
+struct Statistic {
+  const char* name;       ///< in files
+  const char* unit;       ///< "": that of the load; else of UDUNITS, 1 for ratios and counts
+  const char* row;        ///< of a text, in which statistics may share a row; "": it has none of its own
+  bool turns = false;     ///< changes its sign with the load
+  const char* note = "";  ///< behind its value in a text
+  bool in_runs = true;    ///< the summary of a run has it
+};
+
 /// Statistics of one evenly sampled load history.
 struct Summary {
   std::size_t n = 0;
@@ -23,8 +33,9 @@ struct Summary {
   double standard_deviation = 0.0;  ///< with n - 1
   double minimum = 0.0;
   double maximum = 0.0;
-  double skewness = 0.0;    ///< m3 / m2^1.5 of central moments with n; 0 for a constant history
-  double quantile_1 = 0.0;  ///< the end of the larger loads where they are negative
+  double skewness = 0.0;         ///< m3 / m2^1.5 of central moments with n; 0 for a constant history
+  double excess_kurtosis = 0.0;  ///< m4 / m2^2 - 3
+  double quantile_1 = 0.0;       ///< the end of the larger loads where they are negative
   double quantile_50 = 0.0;
   double quantile_95 = 0.0;
   double quantile_99 = 0.0;
@@ -33,6 +44,29 @@ struct Summary {
   Interval mean_95;                    ///< 95 % confidence interval of the mean
   /// The history is at least 50 autocorrelation times long; below that tau and the interval are themselves uncertain.
   bool long_enough = false;
+
+  /// Calls `visit(statistic, member)` for each but `n`. This one list serves summary.json, the columns of campaigns and
+  /// their units, `brash stats`, reports and Python.
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    constexpr bool kTurns = true;
+    const auto level = [](const char* name, const char* row) { return Statistic{name, "", row, kTurns}; };
+    visit(level("mean", "mean"), &Summary::mean);
+    visit(level("mean_95", "mean"), &Summary::mean_95);
+    visit(Statistic{"standard_deviation", "", "standard deviation"}, &Summary::standard_deviation);
+    visit(level("minimum", "minimum, maximum"), &Summary::minimum);
+    visit(level("maximum", "minimum, maximum"), &Summary::maximum);
+    visit(Statistic{"skewness", "1", "skewness, kurtosis", kTurns}, &Summary::skewness);
+    visit(Statistic{"excess_kurtosis", "1", "skewness, kurtosis", false, " (excess)", false},
+          &Summary::excess_kurtosis);
+    visit(level("quantile_1", "1, 50, 95, 99 %"), &Summary::quantile_1);
+    visit(level("quantile_50", "1, 50, 95, 99 %"), &Summary::quantile_50);
+    visit(level("quantile_95", "1, 50, 95, 99 %"), &Summary::quantile_95);
+    visit(level("quantile_99", "1, 50, 95, 99 %"), &Summary::quantile_99);
+    visit(Statistic{"autocorrelation_time", "s", ""}, &Summary::autocorrelation_time);
+    visit(Statistic{"effective_sample_size", "1", ""}, &Summary::effective_sample_size);
+    visit(Statistic{"long_enough", "1", ""}, &Summary::long_enough);
+  }
 };
 
 /// Integrated autocorrelation time and how it was found.
