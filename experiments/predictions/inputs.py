@@ -20,7 +20,7 @@ COLUMNS = [
 ]
 KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "exponent", "quick",
          "measured"}
-OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "source", "why"}
+OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "arms", "source", "why"}
 
 
 class BadInput(Exception):
@@ -79,8 +79,19 @@ class Prediction:
                     self.refuse(f"{key}.{name} = {unknown[name]!r}", "is not a number", "write the number, and its unit as `unit`")
             if "low" in unknown and not unknown["low"] < unknown.get("high", -math.inf):
                 self.refuse(f"{key}.low = {unknown['low']}", "is not below high", "swap the two")
+            if "factor_of" in unknown:
+                self.check_factor(key, unknown)
+            for arm in set(unknown.get("arms", [])) - self.arms.keys():
+                self.refuse(f"{key}.arms = {arm}", "is no arm of this prediction", f"take some of {', '.join(self.arms)}")
         if self.own_runs and not 1 <= self.ensemble["points"] <= self.ensemble["most_points"]:
             self.refuse("ensemble.points", "is above most_points", "lower it")
+
+    def check_factor(self, key, unknown):
+        """A factor needs the number that it multiplies, in the arms or for all of them."""
+        for arm in unknown.get("arms", self.arms):
+            if not isinstance({**flat(self.table.get("set", {})), **flat(self.arms.get(arm, {}))}.get(unknown["factor_of"]), (int, float)):
+                self.refuse(f"{key}.factor_of = {unknown['factor_of']}", "has no number to multiply" + f" in arm {arm}" * bool(arm),
+                            "write it in [set] or in each arm, in SI")
 
     @property
     def own_runs(self):
@@ -106,6 +117,8 @@ def setting_values(prediction, arm, point):
     fixed = {**flat(prediction.table.get("set", {})), **values}
     ratios = []
     for unknown, place in zip(prediction.unknowns, point):
+        if arm not in unknown.get("arms", [arm]):
+            continue
         if "choices" in unknown:
             values[unknown["key"]] = unknown["choices"][int(place * len(unknown["choices"]))]
             continue
