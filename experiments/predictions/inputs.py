@@ -19,7 +19,7 @@ COLUMNS = [
     "piece_area_quantiles.05", "piece_area_quantiles.50", "piece_area_quantiles.95",
 ]
 KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "exponent", "quick",
-         "measured"}
+         "measured", "growth"}
 OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "arms", "source", "why"}
 
 
@@ -56,6 +56,7 @@ class Prediction:
         self.arms = self.table.get("arm", {}) or {"": {}}
         self.unknowns = self.table.get("unknown", [])
         self.travel = self.table.get("travel", {})
+        self.growth = self.table.get("growth")
         self.check()
 
     def refuse(self, key, what, remedy):
