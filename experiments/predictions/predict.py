@@ -27,7 +27,7 @@ import tables
 from case_numbers import collect
 from inputs import BadInput, Prediction
 
-ALL = ["m1", "m2", "m3", "m3b", "m4", "m5", "m5b", "m7", *(f"m6/s{i}" for i in range(1, 11)), "table1", "exponents"]
+ALL = ["m1", "m1b", "m2", "m3", "m3b", "m4", "m5", "m5b", "m7", *(f"m6/s{i}" for i in range(1, 11)), "table1", "exponents"]
 
 
 def prediction_of(name):
