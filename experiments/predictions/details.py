@@ -12,9 +12,12 @@ from verdicts import points_and_values, prediction_interval, validation
 # Recorded of every study, whatever its verdict is about; unit of the table, and its divisor.
 ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1e3), "quantile_99": ("kN", 1e3),
           "quantile_99_0.1s": ("kN", 1e3), "largest": ("kN", 1e3), "smallest": ("kN", 1e3), "mean_1s": ("kN", 1e3),
-          "deviation_1s": ("kN", 1e3), "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
+          "deviation_1s": ("kN", 1e3), "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3),
+          "largest_0.1s": ("kN", 1e3), "largest_2s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
           "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
           "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
+OF_HISTORIES = {"mean_frequency": ("Hz", 1.0), "mean": ("kN/m", 1e3), "deviation": ("kN/m", 1e3), "largest": ("kN/m", 1e3),
+                "peaks_per_second": ("1/s", 1.0)}  # by how the name of a history's number begins; others have no unit
 REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
 SHOWN_AS = {"edwards": "edwards (45 deg)"}  # a form that knows no slope says for which it was made
 PEAKS = ["largest", "quantile_99", "quantile_99_0.1s"]  # whose exponents stand beside the forms'
@@ -26,13 +29,22 @@ def rounded(row):
     return {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()}
 
 
+def recorded_numbers(prediction):
+    """{number: (unit, divisor)} of the numbers of a prediction."""
+    criterion, asked = prediction.criterion, {}
+    if criterion["kind"] == "history":
+        for name in (*criterion["statistics"], *criterion.get("also", [])):
+            asked[name] = next((unit for start, unit in OF_HISTORIES.items() if name.startswith(start)), ("-", 1.0))
+    return {**asked, **ALWAYS}
+
+
 def number_rows(prediction, rows):
     """For each arm: median and interval of one run of each number; regressions and closed forms over the same points."""
     confidence = prediction.criterion.get("confidence", 0.95)
     found = []
     for arm in prediction.arms:
         chosen = [row for row in rows if row["arm"] == arm]
-        for statistic, (unit, divisor) in ALWAYS.items():
+        for statistic, (unit, divisor) in recorded_numbers(prediction).items():
             values, n = points_and_values(chosen, statistic)
             if len(values):
                 low, high = prediction_interval(values, n, confidence)
@@ -95,7 +107,7 @@ def exponent_rows(prediction, rows):
         kept = [value for value in samples if value is not None]
         if len(kept) >= 2:
             mean, error, freedom = student(kept)
-            found.append({"input": wanted["of"], "number": number, "less": form, "exponent": without_noise(mean),
+            found.append({"input": wanted.get("name", wanted["of"]), "number": number, "less": form, "exponent": without_noise(mean),
                           "half_width": without_noise(stats.t.ppf(0.975, freedom) * error)})
 
     for wanted in prediction.table["exponent"]:
