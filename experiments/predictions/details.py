@@ -7,7 +7,7 @@ from scipy import stats
 import inputs
 from signs import slopes, student
 from surrogate import Chaos, held_back_error, jackknife_indices, noise_share
-from verdicts import points_and_values, prediction_interval, validation
+from verdicts import linear_interval, points_and_values, prediction_interval, validation
 
 # Recorded of every study, whatever its verdict is about; unit of the table, and its divisor.
 ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1e3), "quantile_99": ("kN", 1e3),
@@ -118,6 +118,38 @@ def exponent_rows(prediction, rows):
             for form in REGRESSIONS:
                 if name in exponents and form in exponents:
                     add(wanted, name, form, differences(exponents[name], exponents[form]))
+    return found
+
+
+def measured_exponents(prediction, rows, measured):
+    """The exponent of each measured series beside the interval of one point's exponent."""
+    judged_one, found = prediction.criterion["statistic"], []
+    of_test = {test["arm"]: test.get(judged_one) for test in measured}
+    for wanted in prediction.table["exponent"]:
+        name, arms = wanted.get("name", wanted["of"]), wanted["arms"]
+        values = [value for value in exponents_of(rows, wanted, [judged_one])[judged_one].values() if value is not None]
+        loads = [of_test.get(arm) for arm in arms]
+        if len(values) < 2 or None in loads or min(loads) <= 0.0:
+            continue
+        places = np.log([inputs.flat(prediction.arms[arm])[wanted["of"]] for arm in arms])
+        low, high = linear_interval(values, prediction.criterion["confidence"])
+        measured_one = float(np.polyfit(places, np.log(loads), 1)[0])
+        found.append({"input": name, "low": low, "high": high, "measured": measured_one, "inside": low <= measured_one <= high})
+    return found
+
+
+def regression_rows(prediction, rows):
+    """The mean load over each regression, geometric mean over the arms of a point, with its 95 % interval over the points."""
+    found = []
+    for form in prediction.criterion.get("regressions", []):
+        at = {}
+        for row in rows:
+            if row.get("mean") and row.get(form) and row["mean"] > 0.0:
+                at.setdefault(row["point"], []).append(np.log(row["mean"] / row[form]))
+        if len(at) >= 2:
+            mean, error, freedom = student([np.mean(values) for values in at.values()])
+            half = stats.t.ppf(0.975, freedom) * error
+            found.append({"form": form, "ratio": np.exp(mean), "low": np.exp(mean - half), "high": np.exp(mean + half)})
     return found
 
 

@@ -20,6 +20,7 @@ COLUMNS = [
 ]
 KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "exponent", "quick",
          "measured", "growth"}
+GROWTH = {"windows", "skip", "rate", "measured_width", "measured_speed"}
 OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "arms", "source", "why"}
 
 
@@ -80,10 +81,13 @@ class Prediction:
                     self.refuse(f"{key}.{name} = {unknown[name]!r}", "is not a number", "write the number, and its unit as `unit`")
             if "low" in unknown and not unknown["low"] < unknown.get("high", -math.inf):
                 self.refuse(f"{key}.low = {unknown['low']}", "is not below high", "swap the two")
-            if "factor_of" in unknown:
-                self.check_factor(key, unknown)
             for arm in set(unknown.get("arms", [])) - self.arms.keys():
                 self.refuse(f"{key}.arms = {arm}", "is no arm of this prediction", f"take some of {', '.join(self.arms)}")
+            if "factor_of" in unknown:
+                self.check_factor(key, unknown)
+        if self.growth is not None:
+            for name in GROWTH - self.growth.keys():
+                self.refuse(f"growth.{name}", "is missing", f"write {', '.join(sorted(GROWTH))}, as m5b does")
         if self.own_runs and not 1 <= self.ensemble["points"] <= self.ensemble["most_points"]:
             self.refuse("ensemble.points", "is above most_points", "lower it")
 
@@ -106,6 +110,10 @@ class Prediction:
     @property
     def presets(self):
         return self.table.get("presets") or self.ensemble["presets"]
+
+    def n_cases(self):
+        """Cases of the least number of points."""
+        return int(self.ensemble["points"]) * len(self.arms) * self.ensemble.get("replicates", 1)
 
     def names(self):
         """One name for each unknown."""
@@ -177,11 +185,16 @@ def written(key):
     return f'"{section}".{name}' if "." in section else key
 
 
-def plan_text(prediction, points, folder):
-    """The campaign of `points`, shape=(n, n_unknowns), as a plan that lies in `folder`: all arms of a point, then the next."""
+def plan_text(prediction, points, folder, without=()):
+    """The campaign of `points`, shape=(n, n_unknowns), as a plan that lies in `folder`: all arms of a point, then the next.
+
+    without: names of settings that are left out, because their rows are there.
+    """
     labels, columns = [], {}
     for i, point in enumerate(points):
         for arm in prediction.arms:
+            if label_of(arm, i) in without:
+                continue
             labels.append(label_of(arm, i))
             for key, value in setting_values(prediction, arm, point).items():
                 columns.setdefault(key, []).append(value)
