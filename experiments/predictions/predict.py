@@ -60,7 +60,7 @@ def design(options):
 
 
 def plan_for(options, prediction, output):
-    """The committed plan, or one of more or fewer points beside the results."""
+    """The committed plan, or one of other points or of the settings without a row beside the results; None if all have rows."""
     least, most = prediction.ensemble["points"], prediction.ensemble["most_points"]
     n = options.points or least
     if not 1 <= n <= most or (n > least and n % least):
@@ -69,11 +69,11 @@ def plan_for(options, prediction, output):
     there = recorded_elsewhere(options, prediction, output)
     if n == least and not there:
         return prediction.folder / "plan.toml"
+    points = inputs.points_of(prediction, n)
+    if there >= {inputs.label_of(arm, i) for i in range(n) for arm in prediction.arms}:
+        return None
     path = output.parent / f"{output.name}.toml"
     path.parent.mkdir(parents=True, exist_ok=True)
-    points = inputs.points_of(prediction, n)
-    if len(there) == n * len(prediction.arms):
-        return None
     path.write_text(inputs.plan_text(prediction, points, path.parent, without=there), encoding="utf-8")
     return path
 
@@ -130,8 +130,9 @@ def add_rows(options):
     prediction = prediction_of(options.folder)
     check_runs(options, prediction)
     output = output_of(options, prediction)
-    if output.is_dir():
-        command = [options.brash, "campaign", plan_for(options, prediction, output), "-o", output, "--tables"]
+    plan = plan_for(options, prediction, output)
+    if plan and output.is_dir():
+        command = [options.brash, "campaign", plan, "-o", output, "--tables"]
         subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
     options.record = True
     rows = all_rows(options, prediction)

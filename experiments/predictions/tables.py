@@ -30,7 +30,8 @@ def interval(ends, unit=1.0, digits=3):
 
 def read_numbers(path):
     """Rows as they were recorded."""
-    return [{**row, "arm": row["arm"] or ""} for row in read_table(path)]
+    return [{**row, "arm": row["arm"] or "", "point": int(row["point"]), "replicate": int(row["replicate"])}
+            for row in read_table(path)]
 
 
 def complete(rows, prediction):
@@ -145,8 +146,9 @@ def interval_lines(prediction, rows, statistics):
     asked = [row for row in details.number_rows(prediction, rows) if row["number"] in statistics]
     if not asked:
         return []
-    lines = [f"| arm | number | unit | median | {asked[0]['range']} |", "|---|---|---|---|---|"]
-    return lines + [f"| {row['arm'] or '-'} | {row['number']} | {row['unit']} | {number(row['median'])} | "
+    arms = any(row["arm"] for row in asked)
+    lines = ["| arm " * arms + f"| number | median | {asked[0]['range']} |", "|---" * (3 + arms) + "|"]
+    return lines + [f"| {row['arm']} " * arms + f"| {row['number']} [{row['unit']}] | {number(row['median'])} | "
                     f"{interval((row['low'], row['high']))} |" for row in asked] + [""]
 
 
