@@ -53,7 +53,12 @@ def joined_rows(prediction, recorded, fresh):
     arms = list(prediction.arms)
     found = {(row["point"], arms.index(row["arm"]), row["replicate"]): row for row in (*recorded, *fresh)}
     names = list(dict.fromkeys(name for row in (*fresh, *recorded) for name in row))
-    return [{name: found[key].get(name) for name in names} for key in sorted(found)]
+    return [{name: as_recorded(name, found[key].get(name)) for name in names} for key in sorted(found)]
+
+
+def as_recorded(name, value):
+    """A value of a new row as it comes back from a file: all numbers but those of point and replicate are floats."""
+    return float(value) if isinstance(value, int) and name not in ("point", "replicate") else value
 
 
 # Measurements.
