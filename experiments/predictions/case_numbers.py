@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of each run of a prediction's campaign: forces in N over the window of travel, lengths in m."""
+"""The numbers of each run of a prediction's campaign: forces in N over the window of travel, lengths in m; program and commit."""
 import csv
 import json
 import math
@@ -7,12 +7,15 @@ import subprocess
 import tomllib
 
 import numpy as np
+from scipy.signal import welch
 
 import study
 from inputs import GRAVITY, TRAVEL_SPEEDS, flat, parts_of
 from regressions import edwards
 
 CAUSES = {"crushing": ["crushing_Fx"], "floes": ["floe_normal_Fx", "floe_friction_Fx"]}
+LARGEST_MEANS = {"largest_0.1s": 0.1, "largest_2s": 2.0}  # s; each is the largest mean over so long
+SEGMENT, LOWEST, HIGH = 8.0, 0.2, 1.0  # s of a spectrum's segments; Hz from which it counts, and from which it counts as high
 
 
 def read_table(path):
@@ -52,11 +55,78 @@ def force_numbers(force, dt):
         found.update({f"mean{suffix}": values.mean(), f"deviation{suffix}": values.std(ddof=1),
                       f"largest{suffix}": values.max(), f"smallest{suffix}": values.min()})
     short = block_means(force, dt, 0.1)
+    for name, seconds in LARGEST_MEANS.items():
+        means = block_means(force, dt, seconds)
+        found[name] = means.max() if len(means) else math.nan
     found.update({"quantile_50": np.quantile(force, 0.5), "quantile_99": np.quantile(force, 0.99),
                   "quantile_99_0.1s": np.quantile(short, 0.99), "variation": found["deviation"] / found["mean"]})
     half = len(force) // 2
     found["second_half_over_first"] = force[half:].mean() / force[:half].mean()
     return found
+
+
+def at_rate(time, force, rate):
+    """Means of a history over successive 1 / rate [s] from time 0 on, as a slower sensor gives it; nan where it has no sample."""
+    counted = time >= 0.0
+    # A sample at the end of a step belongs to that step, also if its time is a rounding error early.
+    place = np.floor(time[counted] * rate + 1e-9).astype(int)
+    n = np.bincount(place)
+    with np.errstate(invalid="ignore"):
+        return np.bincount(place, force[counted]) / n
+
+
+def n_peaks(force):
+    """Peaks about the straight line through a window: each begins half a deviation above the line, and ends below it."""
+    place = np.arange(len(force))
+    residual = force - np.polyval(np.polyfit(place, force, 1), place)
+    high = 0.5 * residual.std(ddof=1)
+    n, inside = 0, False
+    for value in residual:
+        n += not inside and value > high
+        inside = value > high or (inside and value >= 0.0)
+    return n
+
+
+def spectrum_numbers(force, rate):
+    """Mean frequency [Hz] of the spectrum from LOWEST on (Welch's method), and the share of its variance from HIGH on."""
+    frequency, density = welch(force, fs=rate, nperseg=min(len(force), round(SEGMENT * rate)))
+    band = frequency >= LOWEST
+    whole = density[band].sum()
+    return {"mean_frequency": float((frequency * density)[band].sum() / whole),
+            "share_above_1Hz": float(density[frequency >= HIGH].sum() / whole)}
+
+
+def growth_numbers(time, force, growth, speed, width):
+    """Numbers of a load over the ice that has come since the first contact, at time 0; per metre of `width`.
+
+    growth: the table of prediction.toml; force in N, time in s, speed in m/s. Numbers whose window is not whole are left out.
+    """
+    load = at_rate(time, force, growth["rate"]) / width
+    begin = np.arange(len(load)) / growth["rate"]
+    come = begin * speed
+    counted = (begin >= growth["skip"]) & np.isfinite(load)
+    found, first, peaks = {}, None, 0
+    for low, high in growth["windows"]:
+        if len(load) / growth["rate"] * speed < high * (1.0 - 1e-6):
+            continue
+        window, name = load[counted & (come >= low - 1e-9) & (come < high - 1e-9)], f"{low:g}-{high:g}m"
+        found.update({f"mean_{name}": window.mean(), f"deviation_{name}": window.std(ddof=1),
+                      f"largest_1s_{name}": block_means(window, 1.0 / growth["rate"], 1.0).max()})
+        if first is None:
+            first = window.mean()
+        else:
+            found[f"growth_{name}"] = window.mean() / first
+        whole = load[counted & (come < high - 1e-9)]
+        peaks += n_peaks(window)
+        found.update({"peaks_per_second": peaks * growth["rate"] / len(whole), **spectrum_numbers(whole, growth["rate"])})
+    return found
+
+
+def since_contact(history):
+    """Times since the first load of a run, and the loads."""
+    loaded = np.flatnonzero(history["Fx"])
+    first = history["time"][loaded[0]] if len(loaded) else math.inf
+    return history["time"] - first, history["Fx"]
 
 
 def history_numbers(history, start, travel, speed):
@@ -149,6 +219,15 @@ def closed_forms(brash, case_file, case):
     return found
 
 
+def program_of(folder):
+    """Version and commit of the program that ran a case; {} without a manifest."""
+    path = folder / "manifest.json"
+    if not path.is_file():
+        return {}
+    program = json.loads(path.read_text(encoding="utf-8"))["program"]
+    return {"program": f"{program['name']} {program['version']}", "commit": program["commit"]}
+
+
 def collect(brash, prediction, output):
     """One row a run of the campaign in `output`: arm, point, replicate, the values of the setting, and its numbers.
 
@@ -165,14 +244,17 @@ def collect(brash, prediction, output):
         case, forms = known[row["setting"]]
         arm, point = parts_of(row["setting"])
         inputs = {key: value for key, value in case.items() if key in row or key.startswith(("ice.", "water.density"))}
-        named = {"arm": arm, "point": point, "replicate": int(row["replicate"]), "status": row["status"], **inputs, **forms}
+        folder = output / "cases" / row["case"]
+        named = {"arm": arm, "point": point, "replicate": int(row["replicate"]), "status": row["status"], **program_of(folder),
+                 **inputs, **forms}
         if row["status"] != "done":
             rows.append(named)
             continue
-        folder = output / "cases" / row["case"]
         start = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["statistics_from"]
-        found = history_numbers(read_history(folder / "history.csv"), start, prediction.travel,
-                                speed_of(case))
+        history = read_history(folder / "history.csv")
+        found = history_numbers(history, start, prediction.travel, speed_of(case))
+        if prediction.growth:
+            found.update(growth_numbers(*since_contact(history), prediction.growth, speed_of(case), case["structure.waterline_width"]))
         found.update(length_numbers(row, case))
         if prediction.ensemble.get("keep") == "run":
             found.update(shape_numbers(folder))

@@ -7,14 +7,17 @@ from scipy import stats
 import inputs
 from signs import slopes, student
 from surrogate import Chaos, held_back_error, jackknife_indices, noise_share
-from verdicts import points_and_values, prediction_interval, validation
+from verdicts import linear_interval, points_and_values, prediction_interval, validation
 
 # Recorded of every study, whatever its verdict is about; unit of the table, and its divisor.
 ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1e3), "quantile_99": ("kN", 1e3),
           "quantile_99_0.1s": ("kN", 1e3), "largest": ("kN", 1e3), "smallest": ("kN", 1e3), "mean_1s": ("kN", 1e3),
-          "deviation_1s": ("kN", 1e3), "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
+          "deviation_1s": ("kN", 1e3), "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3),
+          "largest_0.1s": ("kN", 1e3), "largest_2s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
           "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
           "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
+OF_HISTORIES = {"mean_frequency": ("Hz", 1.0), "mean": ("kN/m", 1e3), "deviation": ("kN/m", 1e3), "largest": ("kN/m", 1e3),
+                "peaks_per_second": ("1/s", 1.0)}  # by how the name of a history's number begins; others have no unit
 REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
 SHOWN_AS = {"edwards": "edwards (45 deg)"}  # a form that knows no slope says for which it was made
 PEAKS = ["largest", "quantile_99", "quantile_99_0.1s"]  # whose exponents stand beside the forms'
@@ -26,13 +29,22 @@ def rounded(row):
     return {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()}
 
 
+def recorded_numbers(prediction):
+    """{number: (unit, divisor)} of the numbers of a prediction."""
+    criterion, asked = prediction.criterion, {}
+    if criterion["kind"] == "history":
+        for name in (*criterion["statistics"], *criterion.get("also", [])):
+            asked[name] = next((unit for start, unit in OF_HISTORIES.items() if name.startswith(start)), ("-", 1.0))
+    return {**asked, **ALWAYS}
+
+
 def number_rows(prediction, rows):
     """For each arm: median and interval of one run of each number; regressions and closed forms over the same points."""
     confidence = prediction.criterion.get("confidence", 0.95)
     found = []
     for arm in prediction.arms:
         chosen = [row for row in rows if row["arm"] == arm]
-        for statistic, (unit, divisor) in ALWAYS.items():
+        for statistic, (unit, divisor) in recorded_numbers(prediction).items():
             values, n = points_and_values(chosen, statistic)
             if len(values):
                 low, high = prediction_interval(values, n, confidence)
@@ -95,7 +107,7 @@ def exponent_rows(prediction, rows):
         kept = [value for value in samples if value is not None]
         if len(kept) >= 2:
             mean, error, freedom = student(kept)
-            found.append({"input": wanted["of"], "number": number, "less": form, "exponent": without_noise(mean),
+            found.append({"input": wanted.get("name", wanted["of"]), "number": number, "less": form, "exponent": without_noise(mean),
                           "half_width": without_noise(stats.t.ppf(0.975, freedom) * error)})
 
     for wanted in prediction.table["exponent"]:
@@ -106,6 +118,38 @@ def exponent_rows(prediction, rows):
             for form in REGRESSIONS:
                 if name in exponents and form in exponents:
                     add(wanted, name, form, differences(exponents[name], exponents[form]))
+    return found
+
+
+def measured_exponents(prediction, rows, measured):
+    """The exponent of each measured series beside the interval of one point's exponent."""
+    judged_one, found = prediction.criterion["statistic"], []
+    of_test = {test["arm"]: test.get(judged_one) for test in measured}
+    for wanted in prediction.table["exponent"]:
+        name, arms = wanted.get("name", wanted["of"]), wanted["arms"]
+        values = [value for value in exponents_of(rows, wanted, [judged_one])[judged_one].values() if value is not None]
+        loads = [of_test.get(arm) for arm in arms]
+        if len(values) < 2 or None in loads or min(loads) <= 0.0:
+            continue
+        places = np.log([inputs.flat(prediction.arms[arm])[wanted["of"]] for arm in arms])
+        low, high = linear_interval(values, prediction.criterion["confidence"])
+        measured_one = float(np.polyfit(places, np.log(loads), 1)[0])
+        found.append({"input": name, "low": low, "high": high, "measured": measured_one, "inside": low <= measured_one <= high})
+    return found
+
+
+def regression_rows(prediction, rows):
+    """The mean load over each regression, geometric mean over the arms of a point, with its 95 % interval over the points."""
+    found = []
+    for form in prediction.criterion.get("regressions", []):
+        at = {}
+        for row in rows:
+            if row.get("mean") and row.get(form) and row["mean"] > 0.0:
+                at.setdefault(row["point"], []).append(np.log(row["mean"] / row[form]))
+        if len(at) >= 2:
+            mean, error, freedom = student([np.mean(values) for values in at.values()])
+            half = stats.t.ppf(0.975, freedom) * error
+            found.append({"form": form, "ratio": np.exp(mean), "low": np.exp(mean - half), "high": np.exp(mean + half)})
     return found
 
 

@@ -19,8 +19,9 @@ COLUMNS = [
     "piece_area_quantiles.05", "piece_area_quantiles.50", "piece_area_quantiles.95",
 ]
 KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "exponent", "quick",
-         "measured"}
-OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "source", "why"}
+         "measured", "growth"}
+GROWTH = {"windows", "skip", "rate", "measured_width", "measured_speed"}
+OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "arms", "source", "why"}
 
 
 class BadInput(Exception):
@@ -56,6 +57,7 @@ class Prediction:
         self.arms = self.table.get("arm", {}) or {"": {}}
         self.unknowns = self.table.get("unknown", [])
         self.travel = self.table.get("travel", {})
+        self.growth = self.table.get("growth")
         self.check()
 
     def refuse(self, key, what, remedy):
@@ -79,8 +81,22 @@ class Prediction:
                     self.refuse(f"{key}.{name} = {unknown[name]!r}", "is not a number", "write the number, and its unit as `unit`")
             if "low" in unknown and not unknown["low"] < unknown.get("high", -math.inf):
                 self.refuse(f"{key}.low = {unknown['low']}", "is not below high", "swap the two")
+            for arm in set(unknown.get("arms", [])) - self.arms.keys():
+                self.refuse(f"{key}.arms = {arm}", "is no arm of this prediction", f"take some of {', '.join(self.arms)}")
+            if "factor_of" in unknown:
+                self.check_factor(key, unknown)
+        if self.growth is not None:
+            for name in GROWTH - self.growth.keys():
+                self.refuse(f"growth.{name}", "is missing", f"write {', '.join(sorted(GROWTH))}, as m5b does")
         if self.own_runs and not 1 <= self.ensemble["points"] <= self.ensemble["most_points"]:
             self.refuse("ensemble.points", "is above most_points", "lower it")
+
+    def check_factor(self, key, unknown):
+        """A factor needs the number that it multiplies, in the arms or for all of them."""
+        for arm in unknown.get("arms", self.arms):
+            if not isinstance({**flat(self.table.get("set", {})), **flat(self.arms.get(arm, {}))}.get(unknown["factor_of"]), (int, float)):
+                self.refuse(f"{key}.factor_of = {unknown['factor_of']}", "has no number to multiply" + f" in arm {arm}" * bool(arm),
+                            "write it in [set] or in each arm, in SI")
 
     @property
     def own_runs(self):
@@ -95,6 +111,10 @@ class Prediction:
     def presets(self):
         return self.table.get("presets") or self.ensemble["presets"]
 
+    def n_cases(self):
+        """Cases of the least number of points."""
+        return int(self.ensemble["points"]) * len(self.arms) * self.ensemble.get("replicates", 1)
+
     def names(self):
         """One name for each unknown."""
         return [unknown.get("key") or f"factor of {unknown['factor_of']}" for unknown in self.unknowns]
@@ -106,6 +126,8 @@ def setting_values(prediction, arm, point):
     fixed = {**flat(prediction.table.get("set", {})), **values}
     ratios = []
     for unknown, place in zip(prediction.unknowns, point):
+        if arm not in unknown.get("arms", [arm]):
+            continue
         if "choices" in unknown:
             values[unknown["key"]] = unknown["choices"][int(place * len(unknown["choices"]))]
             continue
@@ -163,11 +185,16 @@ def written(key):
     return f'"{section}".{name}' if "." in section else key
 
 
-def plan_text(prediction, points, folder):
-    """The campaign of `points`, shape=(n, n_unknowns), as a plan that lies in `folder`: all arms of a point, then the next."""
+def plan_text(prediction, points, folder, without=()):
+    """The campaign of `points`, shape=(n, n_unknowns), as a plan that lies in `folder`: all arms of a point, then the next.
+
+    without: names of settings that are left out, because their rows are there.
+    """
     labels, columns = [], {}
     for i, point in enumerate(points):
         for arm in prediction.arms:
+            if label_of(arm, i) in without:
+                continue
             labels.append(label_of(arm, i))
             for key, value in setting_values(prediction, arm, point).items():
                 columns.setdefault(key, []).append(value)

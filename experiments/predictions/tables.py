@@ -9,12 +9,14 @@ import numpy as np
 
 import details
 import inputs
-from case_numbers import read_table
+import study
+from case_numbers import growth_numbers, read_table
 from inputs import BadInput
 from signs import judged, tested
-from verdicts import points_and_values, series, upper_bound
+from verdicts import distribution, has_number, one_history, points_and_values, series, upper_bound
 
 JUDGED = ["mean", "breaking_frequency"]  # of a series; the other statistics are printed beside them, without a verdict
+OF_SHIPS = ("riska", "jeong", "lindqvist")
 UNSETTLED = 0.2  # a load that changes by more between the halves of the window has not settled
 
 
@@ -28,7 +30,8 @@ def interval(ends, unit=1.0, digits=3):
 
 def read_numbers(path):
     """Rows as they were recorded."""
-    return [{**row, "arm": row["arm"] or ""} for row in read_table(path)]
+    return [{**row, "arm": row["arm"] or "", "point": int(row["point"]), "replicate": int(row["replicate"])}
+            for row in read_table(path)]
 
 
 def complete(rows, prediction):
@@ -45,13 +48,27 @@ def complete(rows, prediction):
     return [row for row in rows if row["point"] <= whole]
 
 
+def joined_rows(prediction, recorded, fresh):
+    """Recorded rows and those of a campaign, which win, in the order of points, arms and replicates; each with all columns."""
+    arms = list(prediction.arms)
+    found = {(row["point"], arms.index(row["arm"]), row["replicate"]): row for row in (*recorded, *fresh)}
+    names = list(dict.fromkeys(name for row in (*fresh, *recorded) for name in row))
+    return [{name: as_recorded(name, found[key].get(name)) for name in names} for key in sorted(found)]
+
+
+def as_recorded(name, value):
+    """A value of a new row as it comes back from a file: all numbers but those of point and replicate are floats."""
+    return float(value) if isinstance(value, int) and name not in ("point", "replicate") else value
+
+
 # Measurements.
 
 def measured_rows(prediction, options):
     """[{arm, statistic: value}] of the test: from its own file, a folder of histories, a table, or both joined."""
     table = [{**row, "arm": row.get("arm") or ""} for row in read_table(options.measured)] if options.measured else []
     if options.data:
-        return joined(histories(options), table, options.measured)
+        found = grown(prediction, options) if prediction.growth else histories(options)
+        return joined(found, table, options.measured)
     if options.measured:
         return table
     measured = prediction.table.get("measured", {})
@@ -67,15 +84,36 @@ def joined(found, table, path):
     return [{**row, **{key: value for key, value in more.get(row["file"], {}).items() if value is not None}} for row in found]
 
 
-def histories(options):
-    """Statistics of each measured history of a folder, by `brash stats`."""
+def history_files(options):
     if not options.data.is_dir():
         raise BadInput(f"--data {options.data}: is not a folder; name the folder of the unpacked data set")
     files = sorted(options.data.glob("*.csv"))
     if not files:
         raise BadInput(f"--data {options.data}: has no CSV file; convert the histories to CSV with a column of time [s]")
+    return files
+
+
+def grown(prediction, options):
+    """Numbers of the one measured history over the ice that has come; its time 0, or --from, is the first contact."""
+    files = history_files(options)
+    if len(files) != 1:
+        raise BadInput(f"--data {options.data}: has {len(files)} CSV files, and {prediction.path} predicts one test; leave one file in it")
+    try:
+        history = study.brash_module().read_history(str(files[0]), column=options.column or "")
+    except ValueError as error:
+        raise BadInput(f"{files[0]}: {error}") from error
+    time, growth = np.asarray(history.times) - (options.start or 0.0), prediction.growth
+    counted = time >= 0.0 if options.end is None else (time >= 0.0) & (time <= options.end - (options.start or 0.0))
+    numbers = growth_numbers(time[counted], np.asarray(history.values)[counted], growth, growth["measured_speed"], growth["measured_width"])
+    if not numbers:
+        raise BadInput(f"{files[0]}: ends before the first window of {prediction.path}; give a longer history, or a smaller --from")
+    return [{"arm": "", "file": files[0].name, **numbers}]
+
+
+def histories(options):
+    """Statistics of each measured history of a folder, by `brash stats`."""
     found = []
-    for file in files:
+    for file in history_files(options):
         command = [str(options.brash), "stats", str(file), "--json"]
         for name, value in (("--column", options.column), ("--from", options.start), ("--to", options.end)):
             command += [name, str(value)] if value is not None else []
@@ -113,8 +151,9 @@ def interval_lines(prediction, rows, statistics):
     asked = [row for row in details.number_rows(prediction, rows) if row["number"] in statistics]
     if not asked:
         return []
-    lines = [f"| arm | number | unit | median | {asked[0]['range']} |", "|---|---|---|---|---|"]
-    return lines + [f"| {row['arm'] or '-'} | {row['number']} | {row['unit']} | {number(row['median'])} | "
+    arms = any(row["arm"] for row in asked)
+    lines = ["| arm " * arms + f"| number | median | {asked[0]['range']} |", "|---" * (3 + arms) + "|"]
+    return lines + [f"| {row['arm']} " * arms + f"| {row['number']} [{row['unit']}] | {number(row['median'])} | "
                     f"{interval((row['low'], row['high']))} |" for row in asked] + [""]
 
 
@@ -209,8 +248,8 @@ def exponent_lines(prediction, rows, promised):
     compared = [row for (_, less), row in found.items() if less]
     lines = [f"| input | exponent of `{judged_one}` |" + "".join(f" less {form} |" for form in forms), "|---|---|" + "---|" * len(forms)]
     for wanted in prediction.table["exponent"]:
-        cells = [exponent_cell(found.get((wanted["of"], less)), promised and bool(less)) for less in ("", *forms)]
-        lines.append(f"| `{wanted['of']}` | {' | '.join(cells)} |")
+        cells = [exponent_cell(found.get((wanted.get("name", wanted["of"]), less)), promised and bool(less)) for less in ("", *forms)]
+        lines.append(f"| `{wanted.get('name', wanted['of'])}` | {' | '.join(cells)} |")
     if not promised or not compared:
         return lines + [""]
     worst = max(compared, key=lambda row: abs(row["exponent"]))
@@ -295,7 +334,13 @@ def verdict(prediction, rows, measured, rows_elsewhere):
         lines += [f"**{word}**, p = {p:.2g}, alone." + f" Worst miss: {worst_miss(outcomes, word).claim['text']}." * (word != "shown"),
                   "", *claim_lines(outcomes)]
     if not fewer and kind == "series":
-        lines += measured_lines(prediction, rows, measured)
+        lines += measured_lines(prediction, rows, measured) + regression_lines(prediction, rows)
+        if "exponent" in prediction.table:
+            lines += speed_lines(prediction, rows, measured)
+    if not fewer and kind == "distribution":
+        lines += distribution_lines(prediction, rows, measured)
+    if not fewer and kind == "history":
+        lines += history_lines(prediction, rows, measured)
     return "\n".join(lines + unsettled_lines(rows)).rstrip() + "\n"
 
 
@@ -307,6 +352,64 @@ def measured_lines(prediction, rows, measured):
                 *interval_lines(prediction, rows, [name for name in statistics if name in JUDGED])]
     compared = details.series_rows(prediction, rows, measured)
     return [line for name in statistics for line in series_lines(prediction, rows, measured, name, compared)]
+
+
+def regression_lines(prediction, rows):
+    """The program over each regression, without any measurement."""
+    found = details.regression_rows(prediction, rows)
+    said = ", ".join(f"{row['form']} {number(row['ratio'])} ({interval((row['low'], row['high']))})" for row in found)
+    return [f"The program's mean over regressions (95 % over the points): {said}.", ""] if found else []
+
+
+def speed_lines(prediction, rows, measured):
+    """Exponents of the judged load over the inputs of a series, and whether the measured ones lie within those of one point."""
+    lines = ["| input | exponent, less | of | 95 % |", "|---|---|---|---|"]
+    for row in details.exponent_rows(prediction, rows):
+        if row["number"] == prediction.criterion["statistic"]:
+            mean, half = row["exponent"], row["half_width"]
+            lines.append(f"| {row['input']} | {row['less'] or '-'} | {signed(mean)} | {signed(mean - half)} to {signed(mean + half)} |")
+    for row in details.measured_exponents(prediction, rows, measured):
+        lines += [""] * (lines[-1].startswith("|"))
+        lines += [f"- Measured exponent, {row['input']}: {signed(row['measured'])}, within {signed(row['low'])} to {signed(row['high'])} "
+                  f"of one point: **{'yes' if row['inside'] else 'no'}**."]
+    return lines + [""]
+
+
+def events_of(prediction, measured):
+    """The judged number of each measured event [SI]."""
+    statistic = prediction.criterion["statistic"]
+    return [row[statistic] for row in measured if has_number(row, statistic)]
+
+
+def distribution_lines(prediction, rows, measured):
+    """Shares of runs below the criterion's levels, beside those of measured events."""
+    criterion = prediction.criterion
+    values, _ = points_and_values(rows, criterion["statistic"])
+    found = distribution(values, events_of(prediction, measured), criterion["levels"], criterion["confidence"])
+    lines = ["No measured events were given: the verdict is open.", ""]
+    if found["verdict"] != "open":
+        lines = [f"**{found['verdict']}**. Beyond all runs: {found['beyond']:.0%} of the events.", ""]
+    lines += [f"| level [kN] | runs with `{criterion['statistic']}` below it | share (95 %) | events below it | p, Holm |", "|---|---|---|---|---|"]
+    for row in found["rows"]:
+        low, high = row["share_95"]
+        event = f"{row['measured_below']} of {row['measured_n']} | {row['p_adjusted']:.2g}" if "p" in row else "- | -"
+        lines.append(f"| {row['level'] / 1e3:g} | {row['below']} of {row['n']} | {row['share']:.0%} ({low:.0%} to {high:.0%}) | {event} |")
+    return [*lines, "", *interval_lines(prediction, rows, [criterion["statistic"], *criterion.get("also", [])])]
+
+
+def history_lines(prediction, rows, measured):
+    """Numbers of one test's history, each with its interval."""
+    found = one_history(rows, prediction.criterion, measured[0] if measured else {})
+    units = details.recorded_numbers(prediction)
+    lines = [f"**{found['verdict']}**." if measured else "No measured history was given: the verdict is open.", "",
+             "| number | unit | judged | median | interval | measured | inside |", "|---|---|---|---|---|---|---|"]
+    for row in found["rows"]:
+        unit, divisor = units[row["number"]]
+        value = "-" if row["measured"] is None else number(row["measured"] / divisor)
+        inside = {None: "-", True: "yes", False: "no"}[row["inside"]]
+        lines.append(f"| {row['number']} | {unit} | {'yes' if row['judged'] else '-'} | {number(row['median'] / divisor)} | "
+                     f"{interval((row['low'], row['high']), divisor)} | {value} | {inside} |")
+    return lines + [""]
 
 
 def signs(predictions, rows_elsewhere, family, preset):
@@ -340,6 +443,63 @@ def signs(predictions, rows_elsewhere, family, preset):
     if not_run:
         lines += ["", f"Not run: {', '.join(not_run)}."]
     return "\n".join(lines) + "\n", found
+
+
+def verdict_word(prediction, rows, measured, rows_elsewhere):
+    """The verdict in few words."""
+    criterion = prediction.criterion
+    fewer = fewer_points(prediction, rows, rows_elsewhere)
+    if fewer:
+        return fewer
+    if criterion["kind"] == "upper-bound":
+        return upper_bound(rows, criterion)["verdict"]
+    if criterion["kind"] == "claims":
+        return judged({prediction.name: outcomes_of(prediction, rows, rows_elsewhere)})[prediction.name][0] + ", alone"
+    if criterion["kind"] == "distribution":
+        values, _ = points_and_values(rows, criterion["statistic"])
+        return distribution(values, events_of(prediction, measured), criterion["levels"], criterion["confidence"])["verdict"]
+    if criterion["kind"] == "history":
+        return one_history(rows, criterion, measured[0] if measured else {})["verdict"]
+    if criterion["kind"] == "exponents":
+        compared = [row for row in details.exponent_rows(prediction, rows) if row["less"] and row["number"] == criterion["statistic"]]
+        return f"{sum(map(differs, compared))} of {len(compared)} comparisons differ"
+    if not measured:
+        return "open"
+    asked = [row for row in details.series_rows(prediction, rows, measured) if row["statistic"] in JUDGED]
+    return f"{sum(row['inside'] for row in asked)} of {len(asked)} inside"
+
+
+def judged_numbers(prediction):
+    """Names of the numbers that a criterion judges."""
+    criterion = prediction.criterion
+    if criterion["kind"] == "claims":
+        return list(dict.fromkeys(claim["statistic"] for claim in prediction.claims))
+    if criterion["kind"] == "series":
+        return [name for name in criterion["statistics"] if name in JUDGED]
+    return criterion["statistics"] if criterion["kind"] == "history" else [criterion["statistic"]]
+
+
+def overview(prediction, rows, measured, rows_elsewhere):
+    """One row for each arm and judged number of a prediction; regressions and closed forms in kN, medians over the points."""
+    same = {"folder": prediction.name, "test": prediction.table["title"], "points": points_run(rows), "unknowns": len(prediction.unknowns),
+            "verdict": verdict_word(prediction, rows, measured, rows_elsewhere),
+            "program": "; ".join(sorted({row["program"] for row in rows if row.get("program")}))}
+    blank = {"arm": "", "number": "", "unit": "", "median": None, "low": None, "high": None}
+    found = details.number_rows(prediction, rows) if rows else []
+    forms = {}
+    for row in found:
+        if row["range"] == "least to largest":
+            forms.setdefault(row["arm"], {})[row["number"].split(" ")[0]] = row["median"]
+    for arm, values in forms.items():  # the slope of a stem is no slope of a structure
+        forms[arm] = {form: value for form, value in values.items() if "lindqvist" not in values or form in OF_SHIPS}
+    asked = [{name: row[name] for name in blank} for row in found if row["number"] in judged_numbers(prediction)]
+    return [{**same, **row, **{form: forms.get(row["arm"], {}).get(form) for form in details.REGRESSIONS}} for row in asked or [blank]]
+
+
+def markdown(rows):
+    """A table of rows of one kind."""
+    lines = [f"| {' | '.join(rows[0])} |", "|---" * len(rows[0]) + "|"] if rows else []
+    return lines + [f"| {' | '.join('-' if cell in (None, '') else str(cell) for cell in row.values())} |" for row in rows]
 
 
 def indices(prediction, found, too_few, statistic):

@@ -5,6 +5,8 @@ import math
 import numpy as np
 from scipy import stats
 
+from signs import ALPHA, holm
+
 
 def has_number(row, statistic):
     return row.get(statistic) is not None and math.isfinite(row[statistic])
@@ -25,11 +27,17 @@ def prediction_interval(values, n_points=None, confidence=0.95):
     n = n_points or len(values)
     if n < 2:
         return math.nan, math.nan
-    logs = bool(np.all(values > 0.0))
-    y = np.log(values) if logs else values
-    half = stats.t.ppf(0.5 + 0.5 * confidence, n - 1) * y.std(ddof=1) * math.sqrt(1.0 + 1.0 / n)
-    ends = y.mean() - half, y.mean() + half
-    return tuple(math.exp(end) for end in ends) if logs else ends
+    if np.all(values > 0.0):
+        return tuple(math.exp(end) for end in linear_interval(np.log(values), confidence, n))
+    return linear_interval(values, confidence, n)
+
+
+def linear_interval(values, confidence=0.95, n_points=None):
+    """The same without logarithms."""
+    values = np.asarray(values, dtype=float)
+    n = n_points or len(values)
+    half = stats.t.ppf(0.5 + 0.5 * confidence, n - 1) * values.std(ddof=1) * math.sqrt(1.0 + 1.0 / n)
+    return float(values.mean() - half), float(values.mean() + half)
 
 
 def validation(values, measured, u_numerical, u_measured):
@@ -61,6 +69,50 @@ def series(simulated, measured, inside):
     covered = int(np.sum(inside))
     return {"n": n, "bias": float(logs.mean()), "bias_95": (logs.mean() - half, logs.mean() + half),
             "rms": float(math.sqrt(np.mean(logs**2))), "covered": covered, "coverage_95": share_interval(covered, n)}
+
+
+def distribution(values, measured, levels, confidence=0.95):
+    """Shares of runs below each level, beside those of measured events (may be empty), with Fisher's p adjusted by Holm's method.
+
+    Verdict: refuted if one share differs at 5 %, else holds; open without events. `beyond`: share of the events outside all runs.
+    """
+    values, measured = np.asarray(values, dtype=float), np.asarray(measured, dtype=float)
+    rows = []
+    for level in levels:
+        below, n = int(np.sum(values < level)), len(values)
+        row = {"level": level, "below": below, "n": n, "share": below / n, "share_95": share_interval(below, n, confidence)}
+        if len(measured):
+            row["measured_below"], row["measured_n"] = int(np.sum(measured < level)), len(measured)
+            table = [[below, n - below], [row["measured_below"], len(measured) - row["measured_below"]]]
+            row["p"] = float(stats.fisher_exact(table)[1])
+        rows.append(row)
+    if not len(measured):
+        return {"verdict": "open", "rows": rows, "beyond": math.nan}
+    for row, p in zip(rows, holm([row["p"] for row in rows])):
+        row["p_adjusted"] = float(p)
+    outside = (measured < values.min()) | (measured > values.max())
+    return {"verdict": "refuted" if min(row["p_adjusted"] for row in rows) < ALPHA else "holds", "rows": rows,
+            "beyond": float(np.mean(outside))}
+
+
+def one_history(rows, criterion, measured):
+    """Numbers of one test: the judged ones hold together with the criterion's confidence (Bonferroni), the others alone.
+
+    measured: {number: value}, maybe empty. Verdict: refuted if a judged number lies outside, else open if one is missing, else holds.
+    """
+    judged, each = criterion["statistics"], 1.0 - (1.0 - criterion["confidence"]) / len(criterion["statistics"])
+    found = []
+    for name in [*judged, *criterion.get("also", [])]:
+        values, n = points_and_values(rows, name)
+        if n < 2:
+            continue
+        low, high = prediction_interval(values, n, each if name in judged else criterion["confidence"])
+        value = measured.get(name)
+        found.append({"number": name, "judged": name in judged, "median": float(np.median(values)), "low": low, "high": high,
+                      "measured": value, "inside": None if value is None else bool(low <= value <= high)})
+    inside = {row["number"]: row["inside"] for row in found if row["judged"]}
+    known = [inside.get(name) for name in judged]
+    return {"verdict": "refuted" if False in known else "open" if None in known else "holds", "rows": found}
 
 
 def upper_bound(rows, criterion):

@@ -85,6 +85,152 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdicts.upper_bound(rows + [{"point": 3, "mean": math.nan}], criterion)["without"], 2)
 
 
+class Distributions(unittest.TestCase):
+    LEVELS = [0.5, 1.0, 2.0, 3.0]
+
+    def test_shares_below_levels_are_counted_and_open_without_events(self):
+        found = verdicts.distribution([0.2, 0.7, 1.5, 4.0], [], self.LEVELS)
+        self.assertEqual([row["below"] for row in found["rows"]], [1, 2, 3, 3])
+        self.assertEqual(found["verdict"], "open")
+        np.testing.assert_allclose(found["rows"][0]["share_95"], verdicts.share_interval(1, 4))
+
+    def test_events_of_the_same_law_hold_and_those_of_another_refute(self):
+        random = np.random.default_rng(13)
+        runs = np.exp(random.normal(0, 0.8, 32))
+        self.assertEqual(verdicts.distribution(runs, np.exp(random.normal(0, 0.8, 130)), self.LEVELS)["verdict"], "holds")
+        found = verdicts.distribution(runs, 10.0 * np.exp(random.normal(0, 0.8, 130)), self.LEVELS)
+        self.assertEqual(found["verdict"], "refuted")
+        self.assertGreater(found["beyond"], 0.5)
+
+    def test_equal_laws_are_rarely_refuted(self):
+        random = np.random.default_rng(14)
+        refuted = sum(verdicts.distribution(np.exp(random.normal(size=32)), np.exp(random.normal(size=130)), self.LEVELS)["verdict"]
+                      == "refuted" for _ in range(400))
+        self.assertLess(refuted / 400, 0.05 + 3 * 0.011)
+
+    def test_a_page_has_the_shares_and_the_events(self):
+        prediction = predict.prediction_of("m3b")
+        rows = [{"arm": "", "point": i + 1, "replicate": 0, "largest_2s": 1e5 * (i + 1), "largest_0.1s": 2e5} for i in range(32)]
+        text = tables.verdict(prediction, rows, [], None)
+        self.assertIn("| 1000 | 9 of 32 | 28% (", text)
+        self.assertIn("| largest_2s [kN] | 1650 |", text)
+        text = tables.verdict(prediction, rows, [{"arm": "", "largest_2s": 1e7}] * 130, None)
+        self.assertIn("**refuted**. Beyond all runs: 100% of the events.", text)
+        self.assertIn("| 9 of 32 | 28% (14% to 47%) | 0 of 130 |", text)
+
+
+class OneHistory(unittest.TestCase):
+    CRITERION = {"statistics": ["mean", "growth"], "also": ["deviation"], "confidence": 0.95}
+
+    def rows(self):
+        random = np.random.default_rng(15)
+        return [{"point": i, "mean": math.exp(0.1 * random.normal()), "growth": math.exp(0.1 * random.normal()),
+                 "deviation": math.exp(0.1 * random.normal())} for i in range(16)]
+
+    def test_judged_numbers_hold_together_and_one_outside_refutes(self):
+        rows = self.rows()
+        inside = verdicts.one_history(rows, self.CRITERION, {"mean": 1.0, "growth": 1.0, "deviation": 9.0})
+        self.assertEqual(inside["verdict"], "holds")  # the deviation has no verdict
+        self.assertEqual([row["inside"] for row in inside["rows"]], [True, True, False])
+        self.assertEqual(verdicts.one_history(rows, self.CRITERION, {"mean": 2.0, "growth": 1.0})["verdict"], "refuted")
+        self.assertEqual(verdicts.one_history(rows, self.CRITERION, {"mean": 1.0})["verdict"], "open")
+        # Bonferroni: two judged numbers at 97.5 % each, the other at 95 %.
+        for k, confidence in ((0, 0.975), (2, 0.95)):
+            low, high = verdicts.prediction_interval([row[inside["rows"][k]["number"]] for row in rows], 16, confidence)
+            self.assertAlmostEqual(inside["rows"][k]["low"], low)
+            self.assertAlmostEqual(inside["rows"][k]["high"], high)
+
+    def test_a_measured_history_gets_the_same_numbers_as_a_run(self):
+        prediction = predict.prediction_of("m5b")
+        time = np.arange(0, 70, 0.05)
+        load = 1000.0 * (1.0 + 0.05 * time) + 300.0 * np.sin(2 * np.pi * 1.5 * time)
+        with tempfile.TemporaryDirectory() as folder:
+            np.savetxt(f"{folder}/case1.csv", np.c_[time + 5, load], delimiter=",", header="time,load", comments="")
+            options = argparse.Namespace(measured=None, data=pathlib.Path(folder), column="load", start=5.0, end=None)
+            found, = tables.measured_rows(prediction, options)
+            pathlib.Path(folder, "other.csv").write_text("time,load\n0,1\n1,2\n", encoding="utf-8")
+            with self.assertRaisesRegex(inputs.BadInput, "has 2 CSV files.*leave one file in it"):
+                tables.measured_rows(prediction, options)
+        expected = case_numbers.growth_numbers(time, load, prediction.growth, 0.05, 10)
+        for name, value in expected.items():
+            self.assertAlmostEqual(found[name], value, places=6, msg=name)
+
+
+class Growth(unittest.TestCase):
+    TABLE = {"windows": [[0, 0.5], [0.5, 1], [1, 3]], "skip": 2, "rate": 20}
+
+    def numbers(self, end=62.0):
+        time = np.arange(0, end, 0.001)
+        return case_numbers.growth_numbers(time, 1000 * (1 + 0.05 * time) + 200 * np.sin(4 * np.pi * time), self.TABLE, 0.05, 10)
+
+    def test_windows_of_ice_have_the_means_of_a_growing_load(self):
+        found = self.numbers()
+        # 100 N/m (1 + x / 1 m) over 0.1 to 0.5, 0.5 to 1, and 1 to 3 m: 2 s of 0.05 m/s stay out.
+        for name, value in {"mean_0-0.5m": 130, "mean_0.5-1m": 175, "mean_1-3m": 300, "growth_1-3m": 300 / 130}.items():
+            self.assertAlmostEqual(found[name] / value, 1.0, delta=1e-3, msg=name)
+
+    def test_a_trend_hides_no_peak_and_no_line(self):
+        found = self.numbers()
+        self.assertAlmostEqual(found["peaks_per_second"], 2.0, delta=0.05)
+        self.assertAlmostEqual(found["mean_frequency"], 2.0, delta=0.05)
+        self.assertGreater(found["share_above_1Hz"], 0.95)
+
+    def test_a_window_that_is_not_whole_has_no_number(self):
+        self.assertNotIn("mean_1-3m", self.numbers(end=59.0))
+
+    def test_a_slower_sensor_takes_means(self):
+        time = np.arange(300) * 0.01
+        np.testing.assert_allclose(case_numbers.at_rate(time - 1.0, time, 2.0), [1.245, 1.745, 2.245, 2.745])
+
+    def test_time_is_counted_from_the_first_load(self):
+        time, _ = case_numbers.since_contact({"time": np.array([1.0, 2.0, 3.0]), "Fx": np.array([0.0, 5.0, 1.0])})
+        np.testing.assert_allclose(time, [-1.0, 0.0, 1.0])
+
+
+class SomeArms(unittest.TestCase):
+    def test_an_unknown_of_some_arms_leaves_the_others(self):
+        prediction = predict.prediction_of("m7")
+        thick, thin = (inputs.setting_values(prediction, arm, [1.0] * len(prediction.unknowns)) for arm in ("thick-192", "thin-377"))
+        self.assertEqual(thick["ice.thickness"], 1.59)
+        self.assertAlmostEqual(thin["ice.thickness"], 0.95 * 1.15, places=4)
+
+    def test_faults_of_arms_and_factors_are_named(self):
+        text = (PREDICTIONS / "m7" / "prediction.toml").read_text(encoding="utf-8")
+        grown = (PREDICTIONS / "m5b" / "prediction.toml").read_text(encoding="utf-8")
+        for whole, old, new, message in ((text, 'arms = ["thin-377", "thin-321"', 'arms = ["thin", "thin-321"', "arms = thin: is no arm"),
+                                         (text, "ice.flexural_strength = 500.8e3", 'time.step = 0.01', "has no number to multiply"),
+                                         (grown, "rate = 20 ", "rates = 20 ", "growth.rate: is missing")):
+            with tempfile.TemporaryDirectory() as folder:
+                pathlib.Path(folder, "prediction.toml").write_text(whole.replace(old, new, 1), encoding="utf-8")
+                with self.assertRaisesRegex(inputs.BadInput, message):
+                    inputs.Prediction(folder)
+
+
+class Rows(unittest.TestCase):
+    def test_a_plan_leaves_out_what_is_recorded(self):
+        prediction = predict.prediction_of("m7")
+        points = inputs.points_of(prediction, 8)
+        whole, rest = (inputs.plan_text(prediction, points, prediction.folder, without=done) for done in ((), {"thick-192.s001"}))
+        self.assertIn('labels = ["thick-192.s001", "thick-145.s001"', whole)
+        self.assertIn('labels = ["thick-145.s001"', rest)
+
+    def test_rows_join_and_the_campaign_wins(self):
+        prediction = predict.prediction_of("m7")
+        row = {"arm": "thick-145", "point": 1, "replicate": 0, "mean": 1.0}
+        rows = tables.joined_rows(prediction, [row, {**row, "arm": "thin-377"}], [{**row, "mean": 2.0}, {**row, "arm": "thick-192", "new": 3}])
+        self.assertEqual([(r["arm"], r["mean"], r["new"]) for r in rows], [("thick-192", 1.0, 3), ("thick-145", 2.0, None), ("thin-377", 1.0, None)])
+
+    def test_the_table_of_all_has_a_row_a_judged_number(self):
+        prediction = predict.prediction_of("m1")
+        rows = made_up(prediction, np.linspace(3e5, 9e5, 10))
+        found = tables.overview(prediction, rows, [], None)
+        self.assertEqual([row["arm"] for row in found], list(prediction.arms))
+        self.assertEqual({row["verdict"] for row in found}, {"open"})
+        self.assertAlmostEqual(found[0]["riska"], 600.0)
+        self.assertEqual(tables.overview(prediction, [], [], None)[0]["verdict"], "not run")
+        self.assertEqual(tables.markdown(found)[1].count("---"), len(found[0]))
+
+
 def two_arms(ratio, n=16, spread=0.05, seed=8):
     """Rows of two arms: thin and thick ice differ tenfold, the second arm by `ratio`."""
     random = np.random.default_rng(seed)
@@ -235,6 +381,20 @@ class Texts(unittest.TestCase):
             lines = [line for line in self.text_of(factor).splitlines() if line.startswith("| r") and line.count("|") == 11]
             self.assertEqual([line.split(" | ")[-2] for line in lines], [told] * 10)
 
+    def test_a_series_prints_the_ratio_to_each_regression(self):
+        self.assertRegex(self.text_of(1.0), r"over regressions \(95 % over the points\): riska 0\.5\d* \(.*jeong 0\.3\d* \(.*lindqvist 2 \(1\.9")
+
+    def test_a_series_has_the_exponents_of_its_arms_and_of_the_tests(self):
+        prediction = predict.prediction_of("m7")
+        speeds = [inputs.flat(keys)["structure.speed"] for keys in prediction.arms.values()]
+        loads = [1e6 * v**0.4 for v in speeds]
+        rows = [{**row, "structure.speed": inputs.flat(prediction.arms[row["arm"]])["structure.speed"]}
+                for row in made_up(prediction, loads, spread=0.02)]
+        tests = [{"arm": arm, "mean": load} for arm, load in zip(prediction.arms, loads)]
+        text = tables.verdict(prediction, rows, tests, None)
+        self.assertRegex(text, r"\| speed, thick sheet \| - \| 0\.[34]\d \|")
+        self.assertRegex(text, r"- Measured exponent, speed, thin sheet: 0\.40, within .* of one point: \*\*yes\*\*\.")
+
     def test_a_series_names_its_worst_miss(self):
         prediction = predict.prediction_of("m1")
         arms = list(prediction.arms)
@@ -285,7 +445,7 @@ class Texts(unittest.TestCase):
         self.assertIn("1 runs failed and have no numbers: point 16.", broken)
         self.assertRegex(broken, r"\*\*open\*\*: .* at 0 of 16 points .* At 1 points a run has no number\.")
         self.assertIn("**holds**", tables.verdict(prediction, whole, [], None))
-        self.assertIn("| - | quantile_99_0.1s | kN | 1000 |", tables.verdict(prediction, whole, [], None))
+        self.assertIn("| quantile_99_0.1s [kN] | 1000 |", tables.verdict(prediction, whole, [], None))
         self.assertIn("Largest ratio to the bound: 0.5", tables.verdict(prediction, whole, [], None))
 
     def test_the_table_of_signs_counts_ten_whatever_was_run(self):
@@ -315,11 +475,11 @@ class Texts(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             output = pathlib.Path(folder) / "s2"
             for points in (4, 32):
-                path = predict.plan_for(argparse.Namespace(points=points), prediction, output)
+                path = predict.plan_for(argparse.Namespace(points=points, preset="brash"), prediction, output)
                 self.assertEqual(path.read_text(encoding="utf-8").count('"light.s'), points)
             for points in (-1, 24, 80):
                 with self.assertRaisesRegex(inputs.BadInput, f"--points {points}: is not allowed here"):
-                    predict.plan_for(argparse.Namespace(points=points), prediction, output)
+                    predict.plan_for(argparse.Namespace(points=points, preset="brash"), prediction, output)
 
     def test_a_picture_has_what_each_kind_of_claim_saw(self):
         prediction = predict.prediction_of("m6/s7")

@@ -187,6 +187,26 @@ class WholeWay(unittest.TestCase):
         rows = tables.read_numbers(case / "recorded-paper.csv")
         self.assertTrue(all(row.get("n_pieces") is None or row["one_mode"] in (0.0, 1.0) for row in rows))
         self.assertAlmostEqual(rows[0]["output.statistics_from"] * rows[0]["structure.speed"], 1.2, delta=1e-4)
+        # Recorded rows stand for their cases in another checkout, and one that is missing runs there.
+        elsewhere = FOLDER / "elsewhere"
+        said = call("-o", str(elsewhere), "run", str(case), "--preset", "paper", "--jobs", "1")
+        self.assertIn(f"All rows of tiny are in {case / 'recorded-paper.csv'}.", said)
+        self.assertFalse(elsewhere.exists())
+        lines = (case / "recorded-paper.csv").read_text(encoding="utf-8").splitlines(keepends=True)
+        (case / "recorded-paper.csv").write_text("".join(lines[:-1]), encoding="utf-8")
+        call("-o", str(elsewhere), "run", str(case), "--preset", "paper", "--jobs", "1")
+        self.assertEqual([path.name for path in (elsewhere / "tiny-paper" / "cases").iterdir()], ["fast.s004-r0000"])
+        self.assertIn("8 of 8 rows are in ", call("-o", str(elsewhere), "rows", str(case), "--preset", "paper"))
+        self.assertEqual((case / "recorded-paper.csv").read_text(encoding="utf-8"), "".join(lines))
+        # Rows of another program are neither mixed in nor replaced in silence.
+        self.assertRegex(rows[0]["program"], r"brash \d+\.\d+\.\d+")
+        old = "".join(lines).replace(rows[0]["program"], "brash 0.0.1")
+        (case / "recorded-paper.csv").write_text(old, encoding="utf-8")
+        with self.assertRaisesRegex(inputs.BadInput, "has rows of brash 0.0.1, and the runs are of brash .*--replace"):
+            call("rows", str(case), "--preset", "paper")
+        self.assertEqual((case / "recorded-paper.csv").read_text(encoding="utf-8"), old)
+        call("rows", str(case), "--preset", "paper", "--replace")
+        self.assertEqual((case / "recorded-paper.csv").read_text(encoding="utf-8"), "".join(lines))
         # More points keep the runs that are there.
         first = (FOLDER / "tiny-paper" / "cases" / "slow.s001-r0000" / "history.csv").stat().st_mtime_ns
         call("run", str(case), "--preset", "paper", "--jobs", "1", "--points", "8")
