@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "brash/model/warning.hpp"
+#include "brash/statistics/summary.hpp"
+
 namespace brash::campaign {
 
 /// The numbers of a run's summary (JSON text) by their columns' names.
@@ -17,7 +20,10 @@ std::string fingerprint(const std::map<std::string, double>& numbers);
 /// The unit of a known column (UDUNITS); 1 for counts, ratios, and yes or no.
 std::string unit_of(const std::string& column);
 
-/// The ids of the warnings in a run's summary.
-std::vector<std::string> warnings_in(const std::string& summary);
+/// The least and the largest value that a known column can have: a count is not negative, a share is not above 1.
+statistics::Interval possible_values(const std::string& column);
+
+/// The warnings in a run's summary.
+std::vector<model::Warning> warnings_in(const std::string& summary);
 
 }  // namespace brash::campaign
