@@ -77,6 +77,27 @@ def native(options, kind, **sets):
     return np.array([[float(row[name]) for name in names] for row in table])
 
 
+def reaction(loads, step=STEP):
+    """Force of spring and dashpot on their foundation under ice loads that are given, shape=(n_steps,) [N]."""
+    tower, found = Oscillator(step), np.empty(len(loads))
+    for i, load in enumerate(loads):
+        tower.advance(np.array([load, 0.0]))
+        found[i] = STIFFNESS * tower.state[0, 0] + DAMPING * tower.state[0, 1]
+    return found
+
+
+def summary(force):
+    return {"mean": force.mean(), "deviation": force.std(), "quantile_99": np.quantile(force, 0.99), "largest": force.max()}
+
+
+def one_way_and_two_way(stiff, coupled, own, start):
+    """Ice load and reaction from `start` [s] on: the load on a stiff tower prescribed to the tower, the run with the unit,
+    and the program's own tower. The last two are samples of one process, so their difference is chance."""
+    return {f"{kind}_{way}": summary(force[rows[:, 0] > start])
+            for way, rows in (("one_way", stiff), ("two_way", coupled), ("own", own))
+            for kind, force in (("ice_load", rows[:, 5]), ("reaction", reaction(rows[:, 5])))}
+
+
 def picture(file, own, coupled, stiff):
     """Loads, and how far the tower bends, over time."""
     import matplotlib
@@ -115,6 +136,7 @@ def figures(options):
             "largest_difference_of_place": apart[:, 1].max(), "largest_difference_of_load": apart[:, 5].max(),
             "largest_stretch": np.abs(own[:, 1] - foot).max(), "largest_load": own[:, 5].max(),
             "largest_difference_of_place_at_five_times_the_step": np.abs(coarse[:, 1] - own[4::5, 1]).max(),
+            "from_first_touch": one_way_and_two_way(stiff, fine, own, own[touch, 0]),
             "mean_load": {"own": own[:, 5].mean(), "coupled": fine[:, 5].mean(),
                           "coupled_at_five_times_the_step": coarse[:, 5].mean(), "stiff": stiff[:, 5].mean()}}
 

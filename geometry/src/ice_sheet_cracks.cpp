@@ -118,9 +118,16 @@ CrackedRegion circumferential_at(Vec2 centre, double radius, std::span<const dou
   return {disc_with(centre, radius, angles, sides), std::move(cracks)};
 }
 
-}  // namespace
+/// Whether there is ice all round a point, so that wedges about it begin where they end. An edge through the pixel of
+/// the point goes through the point when it is cut.
+bool lies_inside(const IceSheet& sheet, Vec2 point) {
+  const Vec2 at = metres(snap(point));
+  return sheet.contains(at) && sheet.free_edge(at, 0.75 * kGridUnit).empty();
+}
 
-CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides) {
+/// The circle with even radial cracks. `parts_ends`: about a centre inside the ice one more crack runs through the gap
+/// of the arc, and parts the last wedge from the first.
+CrackedRegion even_wedges(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides, bool parts_ends) {
   BRASH_EXPECTS(n_wedges >= 1, n_wedges);
   BRASH_EXPECTS(radius > 0.0 && std::isfinite(radius), radius);
   BRASH_EXPECTS(sides >= 3, sides);
@@ -129,8 +136,15 @@ CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius,
     const Arc arc = ice_on_arc(sheet, centre, radius, sides);
     const bool all_round = arc.span >= kTurn;
     for (int i = all_round ? 0 : 1; i < n_wedges; ++i) angles.push_back(arc.from + arc.span * i / n_wedges);
+    if (parts_ends && !all_round && lies_inside(sheet, centre)) angles.push_back(arc.from + 0.5 * (arc.span + kTurn));
   }
   return circumferential_at(centre, radius, angles, sides);
+}
+
+}  // namespace
+
+CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides) {
+  return even_wedges(sheet, centre, radius, n_wedges, sides, false);
 }
 
 Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, std::span<const double> angles, int sides) {
@@ -139,7 +153,7 @@ Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, std::span<c
 }
 
 Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides) {
-  const CrackedRegion cracked = circumferential(sheet, centre, radius, n_wedges, sides);
+  const CrackedRegion cracked = even_wedges(sheet, centre, radius, n_wedges, sides, true);
   return sheet.cut(cracked.region, cracked.cracks);
 }
 

@@ -136,6 +136,33 @@ BOOST_AUTO_TEST_CASE(wedges_share_the_ice_that_the_arc_meets_at_a_corner_and_all
   BOOST_TEST(given.pieces.size() == 3u);
 }
 
+BOOST_AUTO_TEST_CASE(wedges_around_a_hole_are_as_many_as_asked_for) {
+  // Inside the disc, around its centre, across its arc in two places of the turn, and of a sheet whose edge cuts the
+  // disc.
+  const std::vector<Ring> holes{box(24, 24, 25, 25), box(19.5, 19.5, 20.5, 20.5), box(18, 14, 21, 18),
+                                box(22, 18, 26, 21)};
+  for (const Ring& hole : holes)
+    for (int n = 1; n <= 6; ++n) {
+      IceSheet sheet = sheet_of({{box(0, 0, 50, 50), {Ring(hole.rbegin(), hole.rend())}}});
+      const ExactArea before = sheet.area();
+      const Cut cut = cut_circumferential(sheet, {20, 20}, 4.0, n, 32);
+      BOOST_TEST(cut.pieces.size() == static_cast<std::size_t>(n));
+      BOOST_TEST((before == sheet.area() + total(cut.pieces) + cut.snap));
+    }
+  for (int n = 1; n <= 6; ++n) {
+    IceSheet sheet = sheet_of({{box(0, 0, 50, 50), {}}});
+    BOOST_TEST(cut_circumferential(sheet, {2, 25}, 4.0, n, 32).pieces.size() == static_cast<std::size_t>(n));
+    // On the edge itself, or so near that only rounding parts them.
+    BOOST_TEST(cut_circumferential(sheet, {1e-9, 10}, 4.0, n, 32).pieces.size() == static_cast<std::size_t>(n));
+  }
+  // The gap's crack takes the middle between two wedges, so that no piece is twice as large as another.
+  IceSheet sheet = sheet_of({{box(0, 0, 50, 50), {}}});
+  std::vector<double> areas;
+  for (const Polygon& piece : cut_circumferential(sheet, {2, 25}, 4.0, 4, 64).pieces)
+    areas.push_back(area(piece).square_metres());
+  BOOST_TEST(*std::max_element(areas.begin(), areas.end()) < 1.5 * *std::min_element(areas.begin(), areas.end()));
+}
+
 BOOST_AUTO_TEST_CASE(ice_that_does_not_reach_the_circle_is_divided_over_its_own_angles) {
   // The ice lies between -45 and 45 degrees; two cracks at +-15 degrees divide it.
   IceSheet ahead = sheet_of({{box(1, -1, 3, 1), {}}});

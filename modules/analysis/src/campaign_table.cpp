@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -9,7 +10,9 @@
 #include "brash/analysis/summary_tables.hpp"
 #include "brash/analysis/tables.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
+#include "brash/statistics/intervals.hpp"
 
 namespace brash::analysis {
 namespace {
@@ -52,34 +55,61 @@ std::map<std::string, TableUnit> units_of(const nlohmann::ordered_json& settings
   return units;
 }
 
-/// "120.4 kN  [101.3, 139.5]". Where a number cannot be negative, neither can an end of its interval.
-std::string mean_text(const nlohmann::ordered_json& statistic, const std::string& column, const TableUnit& unit) {
-  const auto number = [&](double value) {
-    return unit.one != 1.0 ? fmt::format("{:.1f}", value / unit.one) : fmt::format("{:.6g}", value);
-  };
-  std::string text = fmt::format("{:>12} {}", number(statistic.at("mean").get<double>()), unit.name);
+/// "120.4 kN  [101.3, 139.5]": two digits of the half width.
+std::string mean_text(const nlohmann::ordered_json& statistic, const TableUnit& unit) {
+  const double mean = statistic.at("mean").get<double>() / unit.one;
   const auto& interval = statistic.at("mean_95");
-  if (interval.is_null()) return text;
-  const bool is_positive = column.find("deviation") != std::string::npos || column.starts_with("n_");
-  const double lower = interval[0].get<double>();
-  return text + fmt::format("{:{}}[{}, {}]", "", 6 - std::min<std::size_t>(5, unit.name.size()),
-                            number(is_positive ? std::max(0.0, lower) : lower), number(interval[1].get<double>()));
+  if (interval.is_null()) return fmt::format("{:>12.6g}{}{}", mean, unit.name.empty() ? "" : " ", unit.name);
+  const double lower = interval[0].get<double>() / unit.one, upper = interval[1].get<double>() / unit.one;
+  const double half_width = std::max(upper - mean, mean - lower);
+  const int digits = half_width > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 9) : 0;
+  return fmt::format("{:>12.{}f} {:<6} [{:.{}f}, {:.{}f}]", mean, digits, unit.name, lower, digits, upper, digits);
+}
+
+std::string counted(int n, const char* one, const char* several) {
+  return fmt::format("{} {}", n, n == 1 ? one : several);
 }
 
 /// The warnings of all cases, each once.
-std::string warnings_text(const nlohmann::ordered_json& settings) {
+std::string warnings_text(const nlohmann::ordered_json& summary, const std::set<std::string>& told) {
   std::map<std::string, std::pair<int, int>> found;  // cases and settings
-  for (const auto& setting : settings) {
+  for (const auto& setting : summary.at("settings")) {
     const auto warnings = setting.value("warnings", nlohmann::ordered_json::object());
     for (const auto& [id, n] : warnings.items()) {
       found[id].first += n.get<int>();
       ++found[id].second;
     }
   }
+  const auto texts = summary.value("warnings", nlohmann::ordered_json::object());
   std::string text;
-  for (const auto& [id, n] : found)
-    text += fmt::format("warning: {}: {} cases of {} settings\n", id, n.first, n.second);
+  for (const auto& [id, n] : found) {
+    text += fmt::format("warning: {}: {} of {}", printable(id), counted(n.first, "case", "cases"),
+                        counted(n.second, "setting", "settings"));
+    if (texts.contains(id) && !told.contains(id))
+      text += fmt::format(", such as {}: {}", printable(texts[id].at("case").get<std::string>()),
+                          escaped(texts[id].at("text").get<std::string>()));
+    text += '\n';
+  }
   return text;
+}
+
+/// How many replicates halve the intervals, or give any: the largest number that a setting needs.
+std::string replicates_text(const nlohmann::ordered_json& settings, const std::string& command) {
+  std::size_t most = 0, needed = 0;
+  bool is_single = false;
+  for (const auto& setting : settings)
+    for (const auto& statistic : setting.at("statistics")) {
+      const auto n = statistic.at("n").get<std::size_t>();
+      is_single = is_single || n == 1;
+      if (n < 2 || n <= most) continue;
+      most = n;
+      needed = statistics::values_for_half_interval(n);
+    }
+  if (needed > 0)
+    return fmt::format("{} replicates instead of {} about halve the intervals: `{} --resume --replicates {}`\n", needed,
+                       most, command, needed);
+  if (!is_single) return "";
+  return fmt::format("one replicate has no interval: `{} --resume --replicates 3`\n", command);
 }
 
 }  // namespace
@@ -88,7 +118,8 @@ int n_repeated(const nlohmann::ordered_json& setting) {
   return setting.value("warnings", nlohmann::ordered_json::object()).value(io::kRepeated, 0);
 }
 
-std::string means_table(const std::string& summary_file) {
+std::string means_table(const std::string& summary_file, const std::string& command,
+                        const std::set<std::string>& told) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
   const auto& settings = summary.at("settings");
   const auto units = units_of(settings);
@@ -101,12 +132,12 @@ std::string means_table(const std::string& summary_file) {
       const auto& statistic = setting.at("statistics").at(column);
       if (statistic.at("mean").is_null()) continue;
       text += fmt::format("{:<36} {:>4}  {:<30} {}\n", shown, statistic.at("n").get<int>(), column,
-                          mean_text(statistic, column, units.at(statistic.value("unit", "1"))));
+                          mean_text(statistic, units.at(statistic.value("unit", "1"))));
       shown.clear();
     }
     text += without_mean(shown, setting);
   }
-  return text + warnings_text(settings);
+  return text + replicates_text(settings, command) + warnings_text(summary, told);
 }
 
 }  // namespace brash::analysis

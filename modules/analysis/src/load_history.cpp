@@ -267,7 +267,7 @@ std::vector<std::string> run_warnings(std::span<const LoadHistory> loads) {
   std::vector<std::string> texts;
   for (const model::Warning& warning : first) {
     const std::string of = loads.size() == 1 ? "the run" : fmt::format("{} of {} runs", runs[warning.id], loads.size());
-    texts.push_back(fmt::format("of {}: {}: {}", of, printable(warning.id), printable(warning.text)));
+    texts.push_back(fmt::format("of {}: {}: {}", of, escaped(warning.id), escaped(warning.text)));
   }
   return texts;
 }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "brash/model/case.hpp"
+#include "brash/model/warning.hpp"
+#include "brash/statistics/summary.hpp"
 
 namespace brash::campaign {
 
@@ -20,8 +22,11 @@ std::string fingerprint(const std::map<std::string, double>& numbers);
 /// The unit of a known column (UDUNITS); 1 for counts, ratios, and yes or no.
 std::string unit_of(const std::string& column);
 
-/// The ids of the warnings in a run's summary.
-std::vector<std::string> warnings_in(const std::string& summary);
+/// The least and the largest value that a known column can have: a count is not negative, a share is not above 1.
+statistics::Interval possible_values(const std::string& column);
+
+/// The warnings in a run's summary.
+std::vector<model::Warning> warnings_in(const std::string& summary);
 
 /// Why a done case is not as its campaign made it; empty: it is. Its manifest has to name this case and replicate, and
 /// the results have to have the hashes of the manifest.

@@ -36,9 +36,9 @@ struct Row {
   CaseKey key;
   bool failed = false;
   std::vector<double> values;
-  std::vector<std::string> warnings;  ///< their ids
-  model::Origin origin{};             ///< of a case that is done
-  bool is_repeated = false;           ///< an earlier replicate has the same numbers to the last digit
+  std::vector<model::Warning> warnings;
+  model::Origin origin{};    ///< of a case that is done
+  bool is_repeated = false;  ///< an earlier replicate has the same numbers to the last digit
 };
 
 std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, const Schedule& schedule) {
@@ -53,7 +53,7 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
       const auto numbers = columns_of(path, text);
       row.warnings = warnings_in(text);
       row.is_repeated = !seen.emplace(key.setting, fingerprint(numbers)).second;
-      if (row.is_repeated) row.warnings.push_back(io::kRepeated);
+      if (row.is_repeated) row.warnings.push_back({io::kRepeated, ""});
       row.origin = io::origin_in(folder.case_folder(key) + "/manifest.json");
       for (std::size_t i = 0; i < plan.columns.size(); ++i)
         if (const auto found = numbers.find(plan.columns[i]); found != numbers.end()) row.values[i] = found->second;
@@ -99,7 +99,9 @@ std::string csv(const io::CampaignPlan& plan, const Folder& folder, const std::v
                         row.failed ? "failed" : "done");
     for (const io::SettingValue& value : setting.values) text += ',' + cell(value.text);
     for (const double value : row.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
-    text += fmt::format(",{},{},{}\n", fmt::join(row.warnings, " "), cell(one_of(row.origin.presets)),
+    std::vector<std::string> ids;
+    for (const model::Warning& warning : row.warnings) ids.push_back(warning.id);
+    text += fmt::format(",{},{},{}\n", fmt::join(ids, " "), cell(one_of(row.origin.presets)),
                         cell(one_of(row.origin.programs)));
   }
   return text;
@@ -153,16 +155,21 @@ io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
   return all;
 }
 
-/// Mean of one column over the replicates of a setting.
-Json statistic(const std::vector<double>& values) {
-  Json out{{"n", values.size()}, {"mean", nullptr}, {"standard_deviation", nullptr}, {"mean_95", nullptr}};
+/// Mean of one column over the replicates of a setting. Its interval ends where no value is possible.
+Json statistic(const std::string& column, const std::vector<double>& values) {
+  Json out{{"n", values.size()},
+           {"mean", nullptr},
+           {"standard_deviation", nullptr},
+           {"mean_95", nullptr},
+           {"unit", unit_of(column)}};
   if (values.size() == 1) out["mean"] = values.front();
   if (values.size() < 2) return out;
   const statistics::Moments moments = statistics::moments(values);
   const statistics::Interval interval = statistics::mean_interval(values);
   out["mean"] = moments.mean;
   out["standard_deviation"] = std::sqrt(moments.variance);
-  out["mean_95"] = {interval.lower, interval.upper};
+  const auto [least, most] = possible_values(column);
+  out["mean_95"] = {std::max(interval.lower, least), std::min(interval.upper, most)};
   return out;
 }
 
@@ -189,7 +196,7 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
   for (const Row& row : rows) {
     if (row.key.setting != setting) continue;
     ++(row.failed ? n_failed : n_done);
-    for (const std::string& id : row.warnings) ++warnings[id];
+    for (const model::Warning& warning : row.warnings) ++warnings[warning.id];
     if (row.is_repeated) continue;  // it says nothing new about the mean
     for (std::size_t c = 0; c < plan.columns.size(); ++c)
       if (std::isfinite(row.values[c])) by_column[c].push_back(row.values[c]);
@@ -199,17 +206,30 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
   out["warnings"] = warnings;
   out["stopped_by"] = stopped_by(plan, setting, schedule);
   out["statistics"] = Json::object();
-  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
-    out["statistics"][plan.columns[c]] = statistic(by_column[c]);
-    out["statistics"][plan.columns[c]]["unit"] = unit_of(plan.columns[c]);
-  }
+  for (std::size_t c = 0; c < plan.columns.size(); ++c)
+    out["statistics"][plan.columns[c]] = statistic(plan.columns[c], by_column[c]);
   return out;
 }
 
-std::string summary(const io::CampaignPlan& plan, const std::vector<Row>& rows, const Schedule& schedule) {
+/// The words of each warning, of the first case that has it.
+Json warning_texts(const Folder& folder, const std::vector<Row>& rows) {
+  Json texts = Json::object();
+  for (const Row& row : rows)
+    for (const auto& [id, text] : row.warnings)
+      if (!text.empty() && !texts.contains(id)) texts[id] = {{"case", folder.id(row.key)}, {"text", text}};
+  return texts;
+}
+
+std::string summary(const io::CampaignPlan& plan, const Folder& folder, const std::vector<Row>& rows,
+                    const Schedule& schedule) {
   const Counts counts = schedule.counts();
-  Json out{{"format", "brash-campaign-1"}, {"units", "SI"},           {"origin", origin_of(rows)},
-           {"n_cases", counts.n_cases},    {"n_done", counts.n_done}, {"n_failed", counts.n_failed},
+  Json out{{"format", "brash-campaign-1"},
+           {"units", "SI"},
+           {"origin", origin_of(rows)},
+           {"n_cases", counts.n_cases},
+           {"n_done", counts.n_done},
+           {"n_failed", counts.n_failed},
+           {"warnings", warning_texts(folder, rows)},
            {"settings", Json::array()}};
   for (std::size_t s = 0; s < plan.settings.size(); ++s)
     out["settings"].push_back(setting_summary(plan, s, rows, schedule));
@@ -282,7 +302,7 @@ void collect(const Campaign& campaign, const Folder& folder, const Schedule& sch
   const std::vector<Row> rows = read_rows(plan, folder, schedule);
   write_file(campaign.directory + "/campaign.csv", csv(plan, folder, rows));
   io::write_table(campaign.directory + "/campaign.nc", table(plan, rows));
-  write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
+  write_file(campaign.directory + "/summary.json", summary(plan, folder, rows, schedule));
   write_campaign_manifest(folder, campaign, rows);
   write_crate(campaign.directory);
 }

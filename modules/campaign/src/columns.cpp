@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -122,13 +124,28 @@ std::string unit_of(const std::string& column) {
   return "1";
 }
 
-std::vector<std::string> warnings_in(const std::string& summary) {
-  std::vector<std::string> ids;
+statistics::Interval possible_values(const std::string& column) {
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  const auto is_about = [&](const auto& parts) {
+    return std::ranges::any_of(parts, [&](std::string_view part) { return column.find(part) != std::string::npos; });
+  };
+  if (is_about(std::to_array<std::string_view>({".covered", ".long_enough", "ledger.closes"}))) return {0.0, 1.0};
+  if (is_about(std::to_array<std::string_view>({".standard_deviation", ".autocorrelation_time", ".effective_sample"})))
+    return {0.0, kNoEnd};
+  const bool has_sign = is_about(
+      std::to_array<std::string_view>({"horizontal", "vertical", "mean_by_region.", "energy.", "ledger.snap"}));
+  return {has_sign ? -kNoEnd : 0.0, kNoEnd};
+}
+
+std::vector<model::Warning> warnings_in(const std::string& summary) {
+  std::vector<model::Warning> warnings;
   const Json json = Json::parse(summary, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("warnings") || !json["warnings"].is_array()) return ids;
+  if (!json.is_object() || !json.contains("warnings") || !json["warnings"].is_array()) return warnings;
   for (const Json& warning : json["warnings"])
-    if (warning.is_object() && warning.contains("id") && warning["id"].is_string()) ids.push_back(warning["id"]);
-  return ids;
+    if (warning.is_object() && warning.contains("id") && warning["id"].is_string())
+      warnings.push_back(
+          {warning["id"], warning.contains("text") && warning["text"].is_string() ? warning["text"] : ""});
+  return warnings;
 }
 
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary) {

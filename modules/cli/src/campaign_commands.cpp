@@ -180,9 +180,19 @@ void say_repeated(const std::string& summary_file) {
       io::kRepeated, fmt::join(names, ", "));
 }
 
-/// Prints the tables of a campaign and makes its page.
-void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts) {
-  if (!options.json) print("{}\n", analysis::means_table(campaign.directory + "/summary.json"));
+/// The command as it was given, for the reader to give it again.
+std::string command_of(const CampaignOptions& options) {
+  std::string command = fmt::format("brash campaign {} -o {}", options.plan_file, options.directory);
+  if (options.quick) command += " --quick";
+  for (const std::string& text : options.overrides) command += fmt::format(" --set '{}'", text);
+  return command;
+}
+
+/// Prints the tables of a campaign and makes its page. `told` are the warnings that were printed before the cases ran.
+void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts,
+                  const std::set<std::string>& told) {
+  if (!options.json)
+    print("{}\n", analysis::means_table(campaign.directory + "/summary.json", command_of(options), told));
   print_status(counts, options.json);
   if (!options.json) print("results in {}\n", options.directory);
   const std::string page = report::has_page() ? report::write_report(options.directory) : "";
@@ -217,8 +227,8 @@ std::vector<const io::Setting*> some_of(const std::vector<io::Setting>& settings
   return some;
 }
 
-/// Says the warnings about the settings, each once: the text is of the first setting that has it.
-void say_warnings_of_settings(const std::vector<io::Setting>& all_settings) {
+/// Says the warnings about the settings, each once: the text is of the first setting that has it. @return their ids.
+std::set<std::string> say_warnings_of_settings(const std::vector<io::Setting>& all_settings) {
   struct Told {
     model::Warning warning;
     std::string setting;
@@ -237,13 +247,16 @@ void say_warnings_of_settings(const std::vector<io::Setting>& all_settings) {
         ++told->n_settings;
     }
   }
+  std::set<std::string> told;
   for (const auto& [warning, setting, n] : all) {
     const char* const looked_at = settings.size() < all_settings.size() ? " that were looked at" : "";
     const std::string whose =
         settings.size() > 1 ? fmt::format("{} of {} settings{}, such as {}: ", n, settings.size(), looked_at, setting)
                             : "";
     say("warning: {}: {}{}\n", warning.id, whose, warning.text);
+    told.insert(warning.id);
   }
+  return told;
 }
 
 /// Refuses the options of Slurm on this machine, where they would have no effect.
@@ -277,10 +290,11 @@ void run_campaign(const CampaignOptions& options) {
   campaign::Campaign campaign = campaign_of(options);
   const Counts before = campaign::count(campaign.plan, options.directory);
   // Later on the table shows the warnings.
-  if (!options.tables && before.n_done + before.n_failed == 0) say_warnings_of_settings(campaign.plan.settings);
+  std::set<std::string> told;
+  if (!options.tables && before.n_done + before.n_failed == 0) told = say_warnings_of_settings(campaign.plan.settings);
   if (options.status) return print_status(before, options.json);
   if (options.tables) {
-    show_results(campaign, options, campaign::write_tables(campaign));
+    show_results(campaign, options, campaign::write_tables(campaign), told);
     return;
   }
   const bool here = options.on == "local";
@@ -291,7 +305,7 @@ void run_campaign(const CampaignOptions& options) {
     return say("submitted, see squeue; `--status` counts\n");
   }
   refuse_missing(campaign, counts);
-  show_results(campaign, options, counts);
+  show_results(campaign, options, counts, told);
 }
 
 void run_one_case(const campaign::CaseTask& task) {

@@ -368,7 +368,9 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
       .def("cut_circumferential", &cut_circumferential, py::arg("centre"), py::arg("radius"), py::arg("wedges") = 4,
            py::arg("angles") = py::none(), py::arg("sides") = 16,
            "Breaks the ice within `radius` [m] of `centre`, shape (2,), free and divides it by radial cracks: evenly "
-           "into `wedges`, or at `angles` [rad], counter-clockwise from x. `sides`: chords of the full circle.")
+           "into `wedges`, or at `angles` [rad], counter-clockwise from x. A hole that reaches across a wedge divides "
+           "it. "
+           "`sides`: chords of the full circle.")
       .def(
           "release_detached",
           [](SharedSheet& s) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <vector>
 
 #include "brash/core/contract.hpp"
@@ -27,6 +28,19 @@ Interval mean_interval(std::span<const double> independent, double confidence) {
   const double error = gsl_stats_sd_m(independent.data(), 1, n, mean) / std::sqrt(static_cast<double>(n));
   const double t = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, static_cast<double>(n - 1));
   return {mean - t * error, mean + t * error};
+}
+
+std::size_t values_for_half_interval(std::size_t n, double confidence) {
+  BRASH_EXPECTS(n >= 2, n);
+  BRASH_EXPECTS(confidence > 0.0 && confidence < 1.0, confidence);
+  quiet_gsl();
+  const auto width = [&](std::size_t m) {
+    const auto count = static_cast<double>(m);
+    return gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, count - 1.0) / std::sqrt(count);
+  };
+  // Four times the values always do: the quantile falls with their number.
+  const auto numbers = std::views::iota(n + 1, 4 * n + 1);
+  return *std::ranges::partition_point(numbers, [&](std::size_t m) { return width(m) > 0.5 * width(n); });
 }
 
 Interval batch_means_interval(std::span<const double> samples, std::size_t n_batches, double confidence) {

@@ -294,6 +294,49 @@ class Command(unittest.TestCase):
             # Two ways to sum and to invert Student's distribution.
             np.testing.assert_allclose(setting["statistics"]["horizontal.mean"]["mean_95"], interval, rtol=1e-9)
 
+    def test_the_printed_table_is_whole_and_says_how_to_halve_its_intervals(self):
+        done = quick(FOLDER / "printed", "--jobs", "1")
+        again = quick(FOLDER / "printed", "--resume")
+        summary = json.loads((FOLDER / "printed" / "summary.json").read_text(encoding="utf-8"))
+        # Student's interval is 2.484 standard deviations wide with three replicates, 1.242 with five.
+        command = f"brash campaign {PLAN} -o {FOLDER / 'printed'} --quick --resume --replicates 5"
+        self.assertIn(f"5 replicates instead of 3 about halve the intervals: `{command}`", done.stdout)
+        # Each warning once, with the words of a case: those that came before the cases ran are not repeated.
+        self.assertGreater(len(summary["warnings"]), 0)
+        for warning, first in summary["warnings"].items():
+            case = json.loads((FOLDER / "printed/cases" / first["case"] / "summary.json").read_text(encoding="utf-8"))
+            self.assertIn({"id": warning, "text": first["text"]}, case["warnings"])
+            self.assertEqual((done.stdout + done.stderr).count(f"warning: {warning}: "), 1 + (f"warning: {warning}: " in done.stderr))
+            self.assertEqual(again.stdout.count(f", such as {first['case']}: {first['text']}\n"), 1)
+        self.assertNotRegex(done.stdout, r"\b1 (cases|settings)")
+        self.assertRegex(done.stdout, r"horizontal\.mean +-?[\d.]+ k?N +\[")
+        single = quick(FOLDER / "single", "--replicates", "1")
+        self.assertRegex(single.stdout, "one replicate has no interval: `brash campaign .* --resume --replicates 3`")
+
+    def test_intervals_end_where_no_value_is_possible(self):
+        plan, folder = FOLDER / "possible.toml", FOLDER / "possible"
+        columns = ["n_breaks", "n_floes_born", "horizontal.standard_deviation", "horizontal.skewness",
+                   "breaking_frequency", "ledger.closes", "horizontal.long_enough"]
+        text = Path(PLAN).read_text(encoding="utf-8")
+        plan.write_text(text.replace('keep = "history"', f"columns = {json.dumps(columns)}"), encoding="utf-8")
+        self.assertEqual(campaign("-o", folder, "--quick", "--replicates", "2", plan=plan).returncode, 0)
+        ends = set()
+        for setting in json.loads((folder / "summary.json").read_text(encoding="utf-8"))["settings"]:
+            for column in columns:
+                statistic = setting["statistics"][column]
+                if statistic["mean_95"] is None:
+                    continue
+                lower, upper = statistic["mean_95"]
+                self.assertLessEqual(lower, statistic["mean"])
+                self.assertGreaterEqual(upper, statistic["mean"])
+                if column == "horizontal.skewness":
+                    continue
+                self.assertGreaterEqual(lower, 0.0)
+                ends.add(lower)
+                if column in ("ledger.closes", "horizontal.long_enough"):
+                    self.assertLessEqual(upper, 1.0)
+        self.assertIn(0.0, ends)  # two replicates have wide intervals, and some would reach below 0
+
     def test_the_crate_lists_the_results_with_their_hashes_and_keeps_the_licence_of_the_user(self):
         folder = FOLDER / "crate"
         self.assertEqual(quick(folder).returncode, 0)

@@ -26,6 +26,11 @@ class Coupling(unittest.TestCase):
         shape = np.exp(-decay * time) * (np.cos(ring * time) + decay / ring * np.sin(ring * time))
         self.assertAlmostEqual(stretch, force / tower.STIFFNESS * (1 - shape), delta=1e-14)
 
+    def test_the_foundation_bears_a_steady_load_when_the_tower_is_at_rest(self):
+        force = tower.reaction(np.full(20000, 1e5))  # 200 s: the swing has fallen to e^-30
+        self.assertAlmostEqual(force[-1], 1e5, delta=1e-3)
+        self.assertGreater(force.max(), 1.5e5)  # it swings beyond the load at first
+
     def test_the_coupled_tower_is_the_programs_own(self):
         with tempfile.TemporaryDirectory() as folder:
             drawing = pathlib.Path(folder) / "tower.svg"
@@ -40,6 +45,9 @@ class Coupling(unittest.TestCase):
         self.assertGreater(found["largest_stretch"], 0.03)
         mean = found["mean_load"]
         self.assertAlmostEqual(mean["coupled"], mean["own"], delta=0.02 * mean["own"])
+        reactions = [found["from_first_touch"][f"reaction_{way}"] for way in ("two_way", "own")]
+        for name, force in reactions[0].items():
+            self.assertAlmostEqual(force, reactions[1][name], delta=0.02 * reactions[1]["largest"], msg=name)
 
 
 if __name__ == "__main__":

@@ -108,6 +108,53 @@ test("a chosen kind of structure comes with its keys, and check takes the file",
   await page.close();
 });
 
+test("three answers end in a case that check takes, and in commands that there are", async () => {
+  const page = await openPage(browser, page_file);
+  const [text, structure, cover, question] = [page.locator("textarea"), ...["structure", "cover", "question"].map((name) => page.locator(`#choose-${name}`))];
+  const file = join(folder, "chosen.toml");
+  assert.equal(await structure.inputValue(), "cone", "as the page begins");
+  const first = await text.inputValue();
+  for (const made of ["floater", "pier", "ship", "wall", "mesh", "floater", "cone"])
+    for (const ice of ["floes", "level"]) {
+      await structure.selectOption(made);
+      await cover.selectOption(ice);
+      assert.deepEqual([await structure.inputValue(), await cover.inputValue()], [made, ice]);
+      writeFileSync(file, await text.inputValue());
+      const checked = brash("check", file);
+      if (made === "mesh") assert.match(checked.stderr, /structure\.file = "hull\.stl": there is no file/, "a mesh is the reader's");
+      else assert.equal(checked.status, 0, `${made}, ${ice}: ${checked.stderr}`);
+    }
+  const bare = (toml) => toml.replace(/ {2,}#/g, " #");
+  assert.equal(bare(await text.inputValue()), bare(first), "back to the start, nothing is left of the others");
+  const help = {};
+  for (const made of ["cone", "ship", "floater"]) {
+    await structure.selectOption(made);
+    const asked = await question.locator("option").evaluateAll((all) => all.filter(({ hidden }) => !hidden).map(({ value }) => value));
+    assert.equal(asked.includes("resistance"), made === "ship");
+    assert.equal(asked.includes("offset"), made === "floater");
+    for (const each of asked) {
+      await question.selectOption(each);
+      const commands = (await page.locator("#answer pre.commands").innerText()).trim().split("\n");
+      assert.equal(commands[0], "brash check mine.toml");
+      assert.ok(commands.length > 1);
+      for (const [, name, rest] of commands.map((line) => /^brash (export \w+|\w+) (.*)$/.exec(line))) {
+        help[name] ??= brash(...name.split(" "), "--help").stdout;
+        for (const [option] of rest.matchAll(/(?<= )--?[a-z-]+/g)) assert.match(help[name], new RegExp(`(^|[ ,])${option}[ ,]`, "m"), `${name} ${option}`);
+      }
+    }
+  }
+  // The plan that an answer shows is one that the program reads.
+  await structure.selectOption("cone");
+  await question.selectOption("years");
+  const [plan, states] = await page.locator("#answer pre:not(.commands)").allInnerTexts();
+  assert.match(states, /^ice\.thickness,hours\n/);
+  writeFileSync(join(folder, "plan.toml"), plan);
+  writeFileSync(join(folder, "mine.toml"), await text.inputValue());
+  const status = brash("campaign", join(folder, "plan.toml"), "-o", join(folder, "results"), "--status");
+  assert.match(status.stdout, /^0 of 30 cases done/, status.stderr);
+  await page.close();
+});
+
 test("ranges are in the unit in which a key is written", async () => {
   const page = await openPage(browser, page_file);
   assert.match(await page.locator("#key-structure-angle-meaning").innerText(), /Unit: deg, .* rad without one\. Range: \d+(\.\d+)? to 90 deg/);

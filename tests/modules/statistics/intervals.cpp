@@ -85,6 +85,16 @@ BOOST_AUTO_TEST_CASE(the_bootstrap_of_a_mean_is_students_interval_and_a_constant
   BOOST_TEST(constant.upper == 3.0, boost::test_tools::tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(half_an_interval_takes_the_values_that_students_table_says) {
+  // t(0.975, n - 1) / sqrt(n) is 8.985 with 2 values, 2.484 with 3, 1.5912 with 4, 1.2417 with 5, 0.7154 with 10,
+  // 0.3605 with 32 and 0.3546 with 33.
+  BOOST_TEST(values_for_half_interval(2) == 3u);
+  BOOST_TEST(values_for_half_interval(3) == 5u);
+  BOOST_TEST(values_for_half_interval(10) == 33u);
+  // Many values: the root of their number alone.
+  BOOST_TEST(values_for_half_interval(10000) / 10000.0 == 4.0, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_CASE(white_noise_needs_blocks_of_one_sample) {
   BOOST_TEST(block_length(0.5, 100000) == 1U);
   // tau = 4.5: memory 4.5 - 1/18 = 4.444; (1.5 x 19.75 x 1000)^(1/3) = 30.9

@@ -132,14 +132,14 @@ struct CrackedRegion {
   std::vector<Crack> cracks;
 };
 
-/// Plans cut_circumferential() without cutting: its circle and its radial cracks.
+/// Plans the circle and the even radial cracks of cut_circumferential() without cutting.
 CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides = 16);
 
 /// Cuts the ice within `radius` of `centre` free and divides it by radial cracks.
 ///
-/// The circle becomes a polygon of `sides` chords with an additional vertex where each crack ends. `n_wedges - 1`
-/// radial cracks run from the centre to the arc at equal angles over the span of the arc that lies in ice; where the
-/// whole circle lies in ice, `n_wedges` cracks do.
+/// The circle becomes a polygon of `sides` chords with a vertex where each crack ends. `n_wedges - 1` radial cracks
+/// share the span of the arc that lies in ice. Inside the ice one more runs through the arc's gap, or closes the turn.
+/// A hole that reaches across a wedge divides it further.
 ///
 /// @param centre    collision point B on the free edge, sheet frame [m].
 /// @param radius    breaking length l_break [m], > 0.

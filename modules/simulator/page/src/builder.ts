@@ -5,8 +5,8 @@ import { number } from "../../../report/viewer/src/format";
 import { isOnPaper, onRefit } from "../../../report/viewer/src/paper";
 import { saveText } from "../../../report/viewer/src/save";
 import { tomlOf, typedOf, valueIn } from "./case_text";
+import { chooser } from "./chooser";
 import { plausibleText, sizeOfUnit } from "./plausible";
-import { iceChoice } from "./site_ice";
 import { type KeySchema, ofKind, readSchema, type Section, sectionsOf } from "./schema";
 import type { CaseStore } from "./store";
 
@@ -157,7 +157,7 @@ export function builderSection(store: CaseStore, file: HTMLElement, messages: HT
     : ["This page checks names, choices and ranges, and warns of values that no ice has. ", el("code", {}, "brash check"), " also reads all units and knows which keys go together."];
   return section("builder", "Case builder",
     el("p", { class: "do" }, "Every key of a case, its unit, range, default and source. An empty field takes its default, which is shown in grey. ", ...note),
-    iceChoice(store),
+    chooser(store),
     el("p", { class: "on-paper" }, "The case file, and the meaning of its keys. Every other key takes its default."),
     el("div", { class: "builder" }, form, el("div", { class: "file" }, file, messages, beside)));
 }

@@ -73,6 +73,6 @@ export function iceChoice(store: CaseStore): HTMLElement {
   const choose = el("select", { id: "site-ice", change: () => choose.value && store.alter(withIce(store.text, ice, choose.value)) },
     el("option", { value: "" }, "as written"), ...Object.entries(ice.sites).map(([name, site]) => el("option", { value: name }, `${name}: ${site.name}`)));
   store.onChange(() => (choose.value = siteOf(store.text, ice)));
-  return el("p", { class: "do" }, el("label", { for: "site-ice" }, "Ice "), choose,
+  return el("p", { class: "do" }, el("label", { for: "site-ice" }, "Which ice? "), choose,
     " It sets thickness, strengths, modulus, densities and friction. The case file names the source of each value.");
 }

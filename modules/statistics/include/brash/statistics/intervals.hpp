@@ -21,6 +21,10 @@ Interval batch_means_interval(std::span<const double> samples, std::size_t n_bat
 /// Student's interval of the mean of independent values, such as the means of replicates; n >= 2.
 Interval mean_interval(std::span<const double> independent, double confidence = 0.95);
 
+/// How many values make the interval of their mean at most half as wide as `n` values do, if they differ as much; n
+/// >= 2.
+std::size_t values_for_half_interval(std::size_t n, double confidence = 0.95);
+
 /// Length of bootstrap blocks for a first-order process of this autocorrelation time: the length that minimises the
 /// error of the variance of the mean, L = (3/2 (tau - 1/(4 tau))^2 n)^(1/3), tau in samples; 1 for white noise.
 ///
