@@ -224,6 +224,8 @@ class Legal:
         self.case["algorithm.preset"] = draw.one(KEYS["algorithm.preset"]["enum"])
         if self.case["algorithm.preset"] == "paper":
             self.case["failure.model"] = draw.one(KEYS["failure.model"]["enum"])
+        if self.angle > 1.56:  # a vertical face has no area in plan, which `paper` takes
+            self.case["contact.area"] = "surface"
         self.case["failure.smallest_floe"] = min(1e-3 * self.length**2, 100.0)
 
     def time(self):

@@ -21,6 +21,7 @@ import pty
 import random
 import re
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
@@ -204,13 +205,15 @@ def physics_fault(folder):
     return "" if abs(given - sum(terms)) <= 1e-9 * largest else f"the balance of energy does not close: {energy}"
 
 
-def end_early(command_line, folder, draw):
-    """Ends a run of the command in the middle: by an interrupt at a random moment, or killed once it has a checkpoint.
-    @return whether it heard the interrupt."""
+def end_early(command_line, folder, draw, seconds):
+    """Ends a run of the command in the middle: by an interrupt at a random moment of its `seconds`, or killed once it has a
+    checkpoint.
+    @return whether it heard the interrupt, or was over: before it looks for interrupts the system ends it."""
     process = subprocess.Popen(command_line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    if draw.chance(0.5):
-        time.sleep(draw.even(0.05, 0.5))
-        process.send_signal(2)
+    interrupts = draw.chance(0.5)
+    if interrupts:
+        time.sleep(draw.even(0.0, seconds))
+        process.send_signal(signal.SIGINT)
     else:
         while process.poll() is None and not (folder / "checkpoint.nc").exists():
             time.sleep(0.002)
@@ -221,7 +224,7 @@ def end_early(command_line, folder, draw):
         process.kill()
         process.wait()
         return False
-    return True
+    return not interrupts or process.returncode in (0, 3, -signal.SIGINT)
 
 
 def engine_of(run):
@@ -234,15 +237,17 @@ def run_fault(brash, file, folder, seed):
     """The fault of the run of a case, or of its continuation after an early end, or ""."""
     whole, parted = folder / "whole", folder / "parted"
     run = [brash, "run", file, "--threads", "1", "-o"]
+    begun = time.monotonic()
     done = subprocess.run([*run, whole], capture_output=True, text=True, check=False, timeout=900)
+    seconds = time.monotonic() - begun
     if done.returncode != 0:
         return f"exit status {done.returncode}: {done.stderr.strip()}"
     if fault := physics_fault(whole):
         return fault
     if engine_of(whole) == "bullet":
         return ""  # a resumed run with Bullet has other bytes: docs/reference/case-file.md
-    if not end_early([*run, parted], parted, Draw(seed)):
-        return "an interrupt was not heard in a minute"
+    if not end_early([*run, parted], parted, Draw(seed), seconds):
+        return "an interrupt was not heard in a minute, or ended the run as a failure"
     done = subprocess.run([*run, parted, "--resume"], capture_output=True, text=True, check=False, timeout=900)
     if done.returncode != 0:
         return f"--resume: exit status {done.returncode}: {done.stderr.strip()}"
@@ -292,6 +297,7 @@ def illegal(brash, _, folder, n=100, first=1):
 
 
 def main():
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has its background ignore interrupts, and runs inherit it
     what, brash, case, folder = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3], Path(sys.argv[4]).resolve()
     faults = {"seeds": seeds, "long": long, "steps": steps, "cases": cases, "illegal": illegal}[what](brash, case, folder, *map(int, sys.argv[5:7]))
     print("\n".join(faults))
