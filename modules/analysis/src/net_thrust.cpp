@@ -28,6 +28,7 @@ NetThrust NetThrust::from_bollard_pull(double bollard, double open_water) {
   NetThrust thrust;
   thrust.bollard_ = bollard;
   thrust.open_water_ = open_water;
+  thrust.loss_ = model::thrust_loss(bollard, open_water);
   return thrust;
 }
 
@@ -50,10 +51,7 @@ NetThrust NetThrust::from_table(const std::string& path) {
 }
 
 std::optional<double> NetThrust::at(double speed) const {
-  if (speeds_.empty()) {
-    const double share = speed / open_water_;
-    return bollard_ * std::max(0.0, 1.0 - share / 3.0 - 2.0 / 3.0 * share * share);
-  }
+  if (speeds_.empty()) return std::max(0.0, bollard_ - loss_.linear * speed - loss_.quadratic * speed * speed);
   if (speed < speeds_.front() || speed > speeds_.back()) return std::nullopt;
   const auto next = std::max<std::ptrdiff_t>(1, std::ranges::lower_bound(speeds_, speed) - speeds_.begin());
   const auto i = static_cast<std::size_t>(next);

@@ -310,6 +310,25 @@ void check_mooring(const model::Moored& moored, Checks& checks) {
   }
 }
 
+/// A thrust that falls points ahead, and holds the resistance of the water in surge.
+void check_thrust(const model::FloatingBody& body, Checks& checks) {
+  if (!body.open_water_speed) return;
+  const Key top{"structure.motion", "open_water_speed"};
+  const Vec3 thrust = body.thrust;
+  checks.require(
+      thrust.x > 0.0 && thrust.y == 0.0 && thrust.z == 0.0, {"structure.motion", "thrust"}, top,
+      fmt::format("open_water_speed makes a thrust ahead fall, not [{:g}, {:g}, {:g}] N", thrust.x, thrust.y, thrust.z),
+      "the bollard pull along x, such as [\"1 MN\", 0, 0]", "write the bollard pull, or remove open_water_speed");
+  const auto holds_surge = [&](const char* key, double damping) {
+    checks.require(
+        damping == 0.0, {"structure.motion", key}, top,
+        fmt::format("{:g} damps surge, and open_water_speed holds the resistance of the water already", damping),
+        "0 in surge", "write 0 as its first value, or remove open_water_speed");
+  };
+  holds_surge("linear_damping", body.linear_damping.x);
+  holds_surge("quadratic_damping", body.quadratic_damping.x);
+}
+
 }  // namespace
 
 void check_structure(const model::Case& c, Checks& checks) {
@@ -325,7 +344,11 @@ void check_structure(const model::Case& c, Checks& checks) {
   const auto meets = [&](const Pose& pose, Vec2 course) {
     return structure::foremost(*hull, pose, -draught, freeboard, course);
   };
-  if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion)) check_mooring(*moored, checks);
+  if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion)) {
+    check_mooring(*moored, checks);
+    check_thrust(moored->body, checks);
+  }
+  if (const auto* const free = std::get_if<model::Free>(&c.structure.motion)) check_thrust(free->body, checks);
   const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
   if (towed == nullptr || towed->path.empty()) {
     const auto [surface, reach] = meets({}, {1.0, 0.0});

@@ -36,6 +36,15 @@ Vec3 slowed(Vec3 momentum, Vec3 m, Vec3 b, Vec3 c, double t) {
           slowed(momentum.z, m.z, b.z, c.z, t)};
 }
 
+/// The body with the loss of its thrust as damping in surge, which is implicit and stable at any step.
+model::FloatingBody with_falling_thrust(model::FloatingBody body) {
+  if (!body.open_water_speed) return body;
+  const auto [linear, quadratic] = model::thrust_loss(body.thrust.x, *body.open_water_speed);
+  body.linear_damping.x += linear;
+  body.quadratic_damping.x += quadratic;
+  return body;
+}
+
 }  // namespace
 
 BodyMotion::BodyMotion(const model::FloatingBody& body, const std::optional<model::Moored>& moored, const State& start,
@@ -43,7 +52,7 @@ BodyMotion::BodyMotion(const model::FloatingBody& body, const std::optional<mode
     : Motion(start),
       hull_(&around.hull),
       inertia_(inertia_of(body, around.hull, around.water_density)),
-      body_(body),
+      body_(with_falling_thrust(body)),
       density_(around.water_density),
       current_{around.current.x, around.current.y, 0.0},
       time_step_(around.time_step),

@@ -122,6 +122,33 @@ BOOST_AUTO_TEST_CASE(a_body_has_the_values_that_are_written_and_leaves_the_other
   check_refused(with_motion("thrust = [1, 0, 0]\n", true), "is not a key of structure.motion.kind");
 }
 
+BOOST_AUTO_TEST_CASE(a_thrust_that_falls_is_a_bollard_pull_ahead_and_the_only_drag_in_surge) {
+  const std::string falling = "kind = \"free\"\nopen_water_speed = \"16 knots\"\n";
+  const model::Case c =
+      read(with_motion(falling + "thrust = [\"900 kN\", 0, 0]\nlinear_damping = [0, 1e4, 1e5]\n", true));
+  const auto& body = std::get<model::Free>(c.structure.motion).body;
+  BOOST_TEST(*body.open_water_speed == 16.0 * 1852.0 / 3600.0);
+  BOOST_TEST((read(to_toml(c)).structure == c.structure));
+  // The bollard pull less both losses is zero at the speed in open water.
+  const auto [linear, quadratic] = model::thrust_loss(9e5, *body.open_water_speed);
+  const double v = *body.open_water_speed;
+  BOOST_TEST(linear * v + quadratic * v * v == 9e5, boost::test_tools::tolerance(1e-14));
+  for (const char* const thrust : {"", "thrust = [-9e5, 0, 0]\n", "thrust = [9e5, 1, 0]\n", "thrust = [9e5, 0, -1]\n"})
+    check_refused(with_motion(falling + thrust, true), "open_water_speed makes a thrust ahead fall");
+  check_refused(with_motion(falling + "thrust = [9e5, 0, 0]\nlinear_damping = [1, 0, 0]\n", true),
+                "structure.motion.linear_damping");
+  check_refused(with_motion(falling + "thrust = [9e5, 0, 0]\nquadratic_damping = [1, 0, 0]\n", true),
+                "holds the resistance of the water already");
+  check_refused(with_motion("kind = \"free\"\nthrust = [9e5, 0, 0]\nopen_water_speed = 0\n", true),
+                "allowed: a finite number >= 0.1 and <= 100");
+  check_refused(with_motion("open_water_speed = 8\n", true), "is not a key of structure.motion.kind");
+  check_refused(with_motion("kind = \"moored\"\nstiffness_matrix = [[1e5, 0, 0, 0, 0, 0], [0, 1e5, 0, 0, 0, 0], "
+                            "[0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]]\n"
+                            "open_water_speed = 8\n",
+                            true),
+                "open_water_speed makes a thrust ahead fall");
+}
+
 BOOST_AUTO_TEST_CASE(a_mooring_is_read_and_one_that_cannot_hold_is_refused) {
   const std::string line = "lines = [[\"200 m\", 0, -30, 5, 0, 0, 205, \"1 kN/m\", \"300 MN\"]]\n";
   const model::Case c =

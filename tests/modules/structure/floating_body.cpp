@@ -221,6 +221,23 @@ BOOST_AUTO_TEST_CASE(thrust_against_drag_attains_its_speed_in_the_direction_of_t
   BOOST_TEST(body->now().twist.linear.x == top, boost::test_tools::tolerance(1e-3));
 }
 
+BOOST_AUTO_TEST_CASE(a_thrust_that_falls_with_the_speed_follows_its_closed_form_and_attains_the_speed_in_open_water) {
+  // m v' = T (1 - v / (3 v0) - 2/3 (v / v0)^2): v = v0 (E - 1) / (E + 2/3) with E = e^(k t), k = 5 T / (3 m v0).
+  const double bollard = 2e5, top = 4.0, rate = 5.0 * bollard / (3.0 * kMass * top);
+  Moving body(box(), model::Free{0.0, {.added_mass = kNoWater, .thrust = {bollard, 0.0, 0.0}, .open_water_speed = top}},
+              0.02);
+  body.steps(750);
+  const double growth = rate * 15.0;
+  const double exact = top / rate * (2.5 * std::log((std::exp(growth) + 2.0 / 3.0) * 0.6) - 1.5 * growth) - 7.0;
+  BOOST_TEST(body->now().pose.position.x == exact, boost::test_tools::tolerance(1e-6));
+  body.steps(20000);
+  BOOST_TEST(body->now().twist.linear.x == top, boost::test_tools::tolerance(1e-9));
+  // The loss of the thrust takes energy as damping does.
+  const model::BodyEnergy e = body->energy();
+  BOOST_TEST(e.thrust_work == e.kinetic + e.damping_loss, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(e.kinetic == 0.5 * kMass * top * top, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(a_moored_box_in_a_current_rests_where_spring_and_drag_balance) {
   const double stiffness = 1e5, linear = 2e4, quadratic = 4e4, current = 1.5;
   model::Moored moored{0.0,

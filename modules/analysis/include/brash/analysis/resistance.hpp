@@ -32,11 +32,10 @@ std::string resistance_plan(const model::Case& ship, const std::string& case_fil
 /// The net thrust of a ship: what its propellers leave for the ice at a speed, after the resistance of open water.
 class NetThrust {
  public:
-  /// T(v) = bollard (1 - v / (3 v_ow) - 2/3 (v / v_ow)^2), and 0 beyond v_ow.
+  /// The law of model::thrust_loss, which `structure.motion.open_water_speed` has too, and 0 beyond the speed.
   ///
   /// @param bollard     bollard pull [N], > 0.
-  /// @param open_water  speed in open water v_ow [m/s], > 0.
-  /// @see S. Juva, K. Riska, On the power requirement in the Finnish-Swedish ice class rules, 2002.
+  /// @param open_water  speed in open water [m/s], > 0.
   static NetThrust from_bollard_pull(double bollard, double open_water);
 
   /// A table (CSV) with the columns `speed` [m/s], rising, and `thrust` [N]; straight lines between its rows.
@@ -51,6 +50,7 @@ class NetThrust {
 
  private:
   double bollard_ = 0.0, open_water_ = 0.0;
+  model::ThrustLoss loss_{};
   std::vector<double> speeds_, thrusts_;  ///< of a table
 };
 

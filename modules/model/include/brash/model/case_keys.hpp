@@ -95,6 +95,7 @@ void visit_body_keys(auto& body, auto&& visit) {
   visit("structure.motion", "angular_damping", body.angular_damping);
   visit("structure.motion", "quadratic_angular_damping", body.quadratic_angular_damping);
   visit("structure.motion", "thrust", body.thrust);
+  visit("structure.motion", "open_water_speed", body.open_water_speed);
   visit("structure.motion", "thrust_arm", body.thrust_arm);
 }
 void visit_keys_of(Is<Free> auto& free, auto&& visit) {

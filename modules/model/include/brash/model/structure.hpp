@@ -141,20 +141,36 @@ struct Compliant {
 /// A structure that is a rigid body afloat: its mass, and its loads beside weight, buoyancy and ice. Vectors are along
 /// the hull's axes. The defaults of the absent members come from the displaced water (structure/floating_body.hpp).
 struct FloatingBody {
-  std::optional<double> mass{};             ///< [kg]
-  std::optional<Vec3> centre_of_gravity{};  ///< hull's frame [m]
-  std::optional<Vec3> radii_of_gyration{};  ///< about the axes through the centre of gravity [m]
-  std::optional<Vec3> added_mass{};         ///< [kg]
-  std::optional<Vec3> added_inertia{};      ///< [kg m2]
-  Vec3 linear_damping{};                    ///< [N s/m]
-  Vec3 quadratic_damping{};                 ///< [N s2/m2]
-  Vec3 angular_damping{};                   ///< [N m s]
-  Vec3 quadratic_angular_damping{};         ///< [N m s2]
-  Vec3 thrust{};                            ///< constant in the hull's frame [N]
-  Vec3 thrust_arm{};                        ///< from the centre of gravity to the point of action [m]
+  std::optional<double> mass{};              ///< [kg]
+  std::optional<Vec3> centre_of_gravity{};   ///< hull's frame [m]
+  std::optional<Vec3> radii_of_gyration{};   ///< about the axes through the centre of gravity [m]
+  std::optional<Vec3> added_mass{};          ///< [kg]
+  std::optional<Vec3> added_inertia{};       ///< [kg m2]
+  Vec3 linear_damping{};                     ///< [N s/m]
+  Vec3 quadratic_damping{};                  ///< [N s2/m2]
+  Vec3 angular_damping{};                    ///< [N m s]
+  Vec3 quadratic_angular_damping{};          ///< [N m s2]
+  Vec3 thrust{};                             ///< hull's frame; with a speed in open water the bollard pull [N]
+  std::optional<double> open_water_speed{};  ///< where the net thrust has fallen to zero [m/s]; absent: it is constant
+  Vec3 thrust_arm{};                         ///< from the centre of gravity to the point of action [m]
 
   friend bool operator==(const FloatingBody&, const FloatingBody&) = default;
 };
+
+/// What the net thrust of a ship loses with its speed v through the water: T(v) = bollard - linear v - quadratic v^2.
+/// The resistance of open water is in it.
+struct ThrustLoss {
+  double linear = 0.0;     ///< [N s/m]
+  double quadratic = 0.0;  ///< [N s2/m2]
+};
+/// T(v) = bollard (1 - v / (3 v_ow) - 2/3 (v / v_ow)^2).
+///
+/// @param bollard           bollard pull [N].
+/// @param open_water_speed  speed in open water v_ow, where T is zero [m/s], > 0.
+/// @see S. Juva, K. Riska, On the power requirement in the Finnish-Swedish ice class rules, 2002.
+inline ThrustLoss thrust_loss(double bollard, double open_water_speed) {
+  return {bollard / (3.0 * open_water_speed), 2.0 * bollard / (3.0 * open_water_speed * open_water_speed)};
+}
 
 /// `kind = "free"`: a body afloat with six degrees of freedom.
 struct Free {
