@@ -136,7 +136,7 @@ def heading(prediction, rows):
     n = points_run(rows)
     failed = [row for row in rows if row.get("status") == "failed"]
     lines = [f"## {prediction.table['title']}", "",
-             f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}. Criterion: `prediction.toml`.", ""]
+             f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
     if failed:
         named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
         lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** Series and claims leave them out, and a bound is open "

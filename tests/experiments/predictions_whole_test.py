@@ -70,6 +70,16 @@ class Inputs(unittest.TestCase):
                 self.assertEqual(recorded, [{key: str(value) for key, value in row.items()} for row in table], path)
         self.assertGreater(n_tables, 40)
 
+    def test_the_table_of_all_is_the_one_of_the_recorded_numbers(self):
+        found = sorted(PREDICTIONS.glob("table-*.csv"))
+        self.assertGreater(len(found), 1)
+        for path in found:
+            words = ["-o", str(FOLDER / "none"), "table", "--preset", path.stem.removeprefix("table-")]
+            with contextlib.redirect_stdout(io.StringIO()) as text:
+                predict.table(predict.arguments().parse_args(words))
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(text.getvalue(), "\n".join(tables.markdown(list(csv.DictReader(file)))) + "\n", path)
+
     def test_every_range_has_a_source_and_every_claim_a_known_kind(self):
         kinds = {"rises", "falls", "differs", "same", "within", "ratio-within", "exceeds", "rises-beyond", "share"}
         for name in predict.ALL:
