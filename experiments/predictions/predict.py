@@ -201,6 +201,8 @@ def numbers_of(prediction, rows, measured, rows_elsewhere):
         found["claims"] = list(map(details.claim_row, tables.outcomes_of(prediction, rows, rows_elsewhere)))
     if prediction.criterion["kind"] == "series" and measured and rows:
         found["series"] = details.series_rows(prediction, rows, measured)
+    if prediction.criterion["kind"] in ("series", "history") and "measured" not in prediction.table and rows:
+        found["loads"] = details.load_rows(prediction, rows)
     if "exponent" in prediction.table and rows:
         found["exponents"] = details.exponent_rows(prediction, rows)
     return {name: list(map(details.rounded, table)) for name, table in found.items() if table}
