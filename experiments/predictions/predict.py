@@ -296,7 +296,7 @@ def arguments():
     recording(divided, "write the indices beside the inputs")
     added = command("rows", add_rows)
     added.add_argument("--replace", action="store_true", help="replace recorded rows of another program")
-    added.set_defaults(points=None)
+    added.add_argument("--points", type=int, help="as of run")
     overview = command("table", table, many=True)
     recording(overview, "write table-PRESET.csv")
     overview.set_defaults(measured=None, data=None)
