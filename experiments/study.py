@@ -129,6 +129,15 @@ def content_of(frequency, density):
             "high_frequency_deviation": math.sqrt(density[high].sum() * frequency[1])}
 
 
+def program_of(folder):
+    """Version and commit of the program that ran a case; {} without a manifest."""
+    path = folder / "manifest.json"
+    if not path.is_file():
+        return {}
+    program = json.loads(path.read_text(encoding="utf-8"))["program"]
+    return {"program": f"{program['name']} {program['version']}", "commit": program["commit"]}
+
+
 def collect(brash, output):
     """Rows of campaign.csv, with two numbers from the spectrum of each case's horizontal force."""
     rows = read_rows(output / "campaign.csv")

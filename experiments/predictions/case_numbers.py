@@ -219,15 +219,6 @@ def closed_forms(brash, case_file, case):
     return found
 
 
-def program_of(folder):
-    """Version and commit of the program that ran a case; {} without a manifest."""
-    path = folder / "manifest.json"
-    if not path.is_file():
-        return {}
-    program = json.loads(path.read_text(encoding="utf-8"))["program"]
-    return {"program": f"{program['name']} {program['version']}", "commit": program["commit"]}
-
-
 def collect(brash, prediction, output):
     """One row a run of the campaign in `output`: arm, point, replicate, the values of the setting, and its numbers.
 
@@ -245,7 +236,7 @@ def collect(brash, prediction, output):
         arm, point = parts_of(row["setting"])
         inputs = {key: value for key, value in case.items() if key in row or key.startswith(("ice.", "water.density"))}
         folder = output / "cases" / row["case"]
-        named = {"arm": arm, "point": point, "replicate": int(row["replicate"]), "status": row["status"], **program_of(folder),
+        named = {"arm": arm, "point": point, "replicate": int(row["replicate"]), "status": row["status"], **study.program_of(folder),
                  **inputs, **forms}
         if row["status"] != "done":
             rows.append(named)

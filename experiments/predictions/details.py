@@ -58,6 +58,21 @@ def number_rows(prediction, rows):
     return found
 
 
+def load_rows(prediction, rows):
+    """One row a test [SI], for whoever has the measured numbers: median and interval of one run of all that the criterion names."""
+    criterion, found = prediction.criterion, []
+    for arm in prediction.arms:
+        chosen = [row for row in rows if row["arm"] == arm]
+        test = {"arm": arm, "points": len({row["point"] for row in chosen})}
+        for name in (*criterion["statistics"], *criterion.get("also", [])):
+            values, n = points_and_values(chosen, name)
+            if n >= 2:
+                low, high = prediction_interval(values, n, criterion["confidence"])
+                test.update({name: float(np.median(values)), f"{name}_low": low, f"{name}_high": high})
+        found.append(test)
+    return found
+
+
 def series_rows(prediction, rows, measured):
     """Each measured number beside its prediction [SI], and whether the error is the model's and the interval holds the test."""
     criterion, found = prediction.criterion, []

@@ -201,6 +201,8 @@ def numbers_of(prediction, rows, measured, rows_elsewhere):
         found["claims"] = list(map(details.claim_row, tables.outcomes_of(prediction, rows, rows_elsewhere)))
     if prediction.criterion["kind"] == "series" and measured and rows:
         found["series"] = details.series_rows(prediction, rows, measured)
+    if prediction.criterion["kind"] in ("series", "history") and "measured" not in prediction.table and rows:
+        found["loads"] = details.load_rows(prediction, rows)
     if "exponent" in prediction.table and rows:
         found["exponents"] = details.exponent_rows(prediction, rows)
     return {name: list(map(details.rounded, table)) for name, table in found.items() if table}
@@ -294,7 +296,7 @@ def arguments():
     recording(divided, "write the indices beside the inputs")
     added = command("rows", add_rows)
     added.add_argument("--replace", action="store_true", help="replace recorded rows of another program")
-    added.set_defaults(points=None)
+    added.add_argument("--points", type=int, help="as of run")
     overview = command("table", table, many=True)
     recording(overview, "write table-PRESET.csv")
     overview.set_defaults(measured=None, data=None)

@@ -389,7 +389,8 @@ def distribution_lines(prediction, rows, measured):
     lines = ["No measured events were given: the verdict is open.", ""]
     if found["verdict"] != "open":
         lines = [f"**{found['verdict']}**. Beyond all runs: {found['beyond']:.0%} of the events.", ""]
-    lines += [f"| level [kN] | runs with `{criterion['statistic']}` below it | share (95 %) | events below it | p, Holm |", "|---|---|---|---|---|"]
+    lines += [f"| level [kN] | runs with `{criterion['statistic']}` below it | share (95 %) | events below it | p, Holm |",
+              "|---|---|---|---|---|"]
     for row in found["rows"]:
         low, high = row["share_95"]
         event = f"{row['measured_below']} of {row['measured_n']} | {row['p_adjusted']:.2g}" if "p" in row else "- | -"

@@ -282,7 +282,7 @@ def finished_rows(output, name):
         case = tomllib.loads((output / "settings" / f"{base}_{setting}.toml").read_text(encoding="utf-8"))
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
         rows.append({"case": folder.name, "setting": setting, "replicate": float(replicate), "status": "done",
-                     SPEED: case["structure"]["speed"], THICKNESS: case["ice"]["thickness"],
+                     **study.program_of(folder), SPEED: case["structure"]["speed"], THICKNESS: case["ice"]["thickness"],
                      **{column: float(number_in(summary, column)) for column in plan["output"]["columns"]}})
     return rows
 

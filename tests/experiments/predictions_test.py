@@ -220,6 +220,26 @@ class Rows(unittest.TestCase):
         rows = tables.joined_rows(prediction, [row, {**row, "arm": "thin-377"}], [{**row, "mean": 2.0}, {**row, "arm": "thick-192", "new": 3}])
         self.assertEqual([(r["arm"], r["mean"], r["new"]) for r in rows], [("thick-192", 1.0, 3), ("thick-145", 2.0, None), ("thin-377", 1.0, None)])
 
+    def test_the_hours_of_every_prediction_are_stated(self):
+        rows = case_numbers.read_table(PREDICTIONS / "hours.csv")
+        self.assertEqual([row["order"] for row in rows], list(range(1, len(rows) + 1)))
+        cases = {row["folder"]: row["cases"] for row in rows}
+        for name in predict.ALL:
+            prediction = predict.prediction_of(name)
+            if prediction.own_runs:
+                self.assertEqual(cases[name], prediction.n_cases(), name)
+        self.assertAlmostEqual(sum(row["core_hours"] for row in rows), 65.0, delta=0.5)  # as README.md says
+
+    def test_loads_have_a_row_a_test(self):
+        prediction = predict.prediction_of("m1")
+        rows = made_up(prediction, np.linspace(3e5, 9e5, 10))
+        found = details.load_rows(prediction, rows)
+        self.assertEqual([row["arm"] for row in found], list(prediction.arms))
+        means = [row["mean"] for row in rows if row["arm"] == "r103"]
+        self.assertAlmostEqual(found[0]["mean"], np.median(means))
+        np.testing.assert_allclose([found[0]["mean_low"], found[0]["mean_high"]], verdicts.prediction_interval(means))
+        self.assertNotIn("largest", found[0])
+
     def test_the_table_of_all_has_a_row_a_judged_number(self):
         prediction = predict.prediction_of("m1")
         rows = made_up(prediction, np.linspace(3e5, 9e5, 10))

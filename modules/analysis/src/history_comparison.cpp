@@ -220,7 +220,7 @@ void add_peaks(const Side& run, const Side& measured, ordered_json& out) {
 /// The largest relative difference that the interval of each ratio still holds.
 ordered_json hidden(const ordered_json& out) {
   ordered_json could_hide = ordered_json::object();
-  for (const char* name : {"mean", "deviation", "mean_peak", "peak_rate"}) {
+  for (const char* name : {"mean", "deviation", "mean_peak", "peak_rate", "growth"}) {
     if (!out.contains(name) || !out[name].contains("ratio_95")) continue;
     const ordered_json& ends = out[name]["ratio_95"];
     could_hide[name] = std::max(1.0 - ends[0].get<double>(), ends[1].get<double>() - 1.0);
@@ -247,7 +247,7 @@ ordered_json spectrum_json(const LoadHistory& run, const LoadHistory& measured) 
 ordered_json differences(ordered_json& out) {
   std::vector<std::string> names;
   Samples p;
-  for (const char* name : {"mean", "deviation", "mean_peak", "peak_rate", "distribution"}) {
+  for (const char* name : {"mean", "deviation", "mean_peak", "peak_rate", "growth", "distribution"}) {
     if (!out.contains(name)) continue;
     names.emplace_back(name);
     p.push_back(out[name]["p"].get<double>());
@@ -275,6 +275,24 @@ std::string ratio_row(const char* name, const ordered_json& out, const char* key
                      p_text(c["p_adjusted"].get<double>()));
 }
 
+/// Means of the windows of both sides.
+std::string growth_text(const ordered_json& c) {
+  if (!c.contains("growth")) return "";
+  const ordered_json& g = c["growth"];
+  const auto means = [&](const char* side) {
+    std::vector<std::string> found;
+    for (const ordered_json& window : g["windows"][side])
+      found.push_back(window["mean"].is_null() ? "-" : fmt::format("{:.4g}", window["mean"].get<double>()));
+    return fmt::format("{}", fmt::join(found, ", "));
+  };
+  const auto [first, second] = side_names(c);
+  return fmt::format(
+      "  growth              second half over first: {:.3g} and {:.3g}; means of quarters of {:.4g} {}\n"
+      "                      {}: {}\n                      {}: {}\n",
+      g["growth"][0].get<double>(), g["growth"][1].get<double>(), g["travel"].get<double>(),
+      g["unit"].get<std::string>(), first, means("run"), second, means("measured"));
+}
+
 }  // namespace
 
 LoadHistory joined(const std::vector<LoadHistory>& loads) {
@@ -299,11 +317,12 @@ LoadHistory joined(const std::vector<LoadHistory>& loads) {
   return all;
 }
 
-ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured) {
-  return compare_histories(std::vector{run}, std::vector{measured});
+ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured, const IceSpeeds& speeds) {
+  return compare_histories(std::vector{run}, std::vector{measured}, speeds);
 }
 
-ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::vector<LoadHistory>& measured_runs) {
+ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::vector<LoadHistory>& measured_runs,
+                               const IceSpeeds& speeds) {
   double dead_band = 0.0;
   for (const auto* loads : {&runs, &measured_runs})
     for (const LoadHistory& load : *loads)
@@ -314,6 +333,8 @@ ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::
   if (run.squares.mean > 0.0 && measured.squares.mean > 0.0)
     out["deviation"] = ratio_json(statistics::compare_deviations(run.squares, measured.squares, kConfidence));
   add_peaks(run, measured, out);
+  if (const ordered_json growth = compare_growth(runs, measured_runs, speeds); !growth.is_null())
+    out["growth"] = growth;
   const statistics::TestResult ks = statistics::kolmogorov_smirnov(run.independent, measured.independent);
   out["distribution"] = {{"largest_distance", ks.statistic},
                          {"p", ks.p_value},
@@ -356,13 +377,15 @@ std::string comparison_text(const ordered_json& c) {
   if (c["measured"]["histories"].get<int>() == 1) text += short_note(second.c_str(), c["measured"]);
   text += fmt::format("{} over {}, 95 % interval, p-value of the test of equality (after Holm)\n", first, second);
   text += ratio_row("mean", c, "mean") + ratio_row("deviation", c, "deviation") +
-          ratio_row("mean peak", c, "mean_peak") + ratio_row("peaks a second", c, "peak_rate");
+          ratio_row("mean peak", c, "mean_peak") + ratio_row("peaks a second", c, "peak_rate") +
+          ratio_row("growth", c, "growth");
   const ordered_json& d = c["distribution"];
   text += fmt::format("  distributions       largest distance {:.3f} (Kolmogorov-Smirnov), {}\n",
                       d["largest_distance"].get<double>(), p_text(d["p_adjusted"].get<double>()));
   text +=
       fmt::format("  peaks               of load events beyond {:.3g} about the mean, the larger noise floor of both\n",
                   c["dead_band"].get<double>());
+  text += growth_text(c);
   if (c["mean"]["paired"].get<bool>())
     text +=
         "  two columns of one file: the means are compared by their differences in time; the other tests take the "

@@ -33,6 +33,7 @@ struct CompareOptions {
   std::string run, where, measured_where, picture = "comparison.svg";
   std::vector<std::string> measured;
   HistoryChoice of_run, of_measured;
+  analysis::IceSpeeds speeds;
   bool json = false;
 };
 
@@ -123,7 +124,7 @@ void compare(CompareOptions& options) {
   for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});
   for (const LoadHistory& load : measured) refuse_overwriting(options.picture, {load.file});
   check_units(runs.front(), measured.front(), measured.front().file);
-  nlohmann::ordered_json comparison = analysis::compare_histories(runs, measured);
+  nlohmann::ordered_json comparison = analysis::compare_histories(runs, measured, options.speeds);
   analysis::add_case_differences(runs, measured, comparison);
   write_picture(options.picture,
                 report::comparison_picture(analysis::joined(runs), analysis::joined(measured), comparison));
@@ -159,6 +160,13 @@ void add_compare_command(CLI::App& app) {
       command->add_option("--measured-from", options->of_measured.from, "[s] [its start; of a run, as its summary]");
   command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
       ->check(time_span());
+  CLI::Option* speed = command
+                           ->add_option("--speed", options->speeds.run,
+                                        "of the ice past the run's structure [m/s], for growth with travel")
+                           ->check(CLI::Range(1e-6, 50.0));
+  speed->needs(command->add_option("--measured-speed", options->speeds.measured, "the same of the measurement [m/s]")
+                   ->check(CLI::Range(1e-6, 50.0))
+                   ->needs(speed));
   command
       ->add_option("--missing", options->of_measured.missing,
                    "value that stands for a missing one in the measurement, in its unit")

@@ -99,6 +99,72 @@ BOOST_AUTO_TEST_CASE(what_is_changed_is_what_differs) {
   BOOST_TEST(!has(faster, "deviation"));
 }
 
+/// A load that rises in a straight line over `duration` [s], with noise about it.
+LoadHistory rising(std::uint64_t replicate, double from, double to, double duration, std::size_t n = 4000) {
+  LoadHistory load = noise(replicate, n, 0.0, 5.0, duration / static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    load.history.values[i] += from + (to - from) * static_cast<double>(i) / static_cast<double>(n);
+  load.even = statistics::make_even(load.history);
+  return load;
+}
+
+BOOST_AUTO_TEST_CASE(growth_is_the_second_half_over_the_first) {
+  const auto c = compare_histories(rising(1, 100.0, 300.0, 400.0), noise(2, 4000, 200.0, 5.0));
+  // The halves have 150 and 250.
+  BOOST_TEST(c["growth"]["ratio"].get<double>() == 250.0 / 150.0, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(c["growth"]["growth"][1].get<double>() == 1.0, boost::test_tools::tolerance(0.01));
+  const auto windows = c["growth"]["windows"]["run"];
+  BOOST_TEST(windows.size() == 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+    BOOST_TEST(windows[i]["mean"].get<double>() == 125.0 + 50.0 * static_cast<double>(i),
+               boost::test_tools::tolerance(0.02));
+  BOOST_TEST(c["growth"]["unit"].get<std::string>() == "s");
+  BOOST_TEST(contains(comparison_text(c), "second half over first: 1.67 and 1"));
+}
+
+BOOST_AUTO_TEST_CASE(growth_is_compared_over_equal_travel_if_the_speeds_are_known) {
+  // The same load over the travel, at 0.5 and at 1 m/s, but the slow run covers half of the way.
+  const LoadHistory slow = rising(1, 100.0, 200.0, 400.0), fast = rising(2, 100.0, 300.0, 400.0);
+  const auto by_travel = compare_histories(slow, fast, {0.5, 1.0})["growth"];
+  BOOST_TEST(by_travel["travel"].get<double>() == 200.0, boost::test_tools::tolerance(0.001));
+  BOOST_TEST(by_travel["unit"].get<std::string>() == "m");
+  BOOST_TEST(by_travel["ratio"].get<double>() == 1.0, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(by_travel["windows"]["measured"][3]["to"].get<double>() == 200.0, boost::test_tools::tolerance(0.001));
+  // Over equal time the halves have 125 and 175 against 150 and 250.
+  BOOST_TEST(compare_histories(slow, fast)["growth"]["ratio"].get<double>() == 175.0 / 125.0 / (250.0 / 150.0),
+             boost::test_tools::tolerance(0.01));
+}
+
+BOOST_AUTO_TEST_CASE(a_window_in_a_gap_has_no_mean) {
+  LoadHistory measured = noise(1, 3000, 100.0, 10.0);
+  measured.history.times.erase(measured.history.times.begin() + 500, measured.history.times.begin() + 900);
+  measured.history.values.erase(measured.history.values.begin() + 500, measured.history.values.begin() + 900);
+  measured.even = statistics::make_even(measured.history);
+  const auto c = compare_histories(noise(2, 1000, 100.0, 10.0), measured);  // 100 s, and the gap lasts from 50 to 90 s
+  BOOST_TEST(c["growth"]["windows"]["measured"][2]["mean"].is_null());
+  BOOST_TEST(!c["growth"]["windows"]["measured"][3]["mean"].is_null());
+  BOOST_TEST(contains(comparison_text(c), ", -, "));
+}
+
+BOOST_AUTO_TEST_CASE(growth_of_replicates_has_its_error_from_their_spread) {
+  std::vector<LoadHistory> runs, tests;
+  for (std::uint64_t i = 0; i < 5; ++i) {
+    runs.push_back(rising(2 * i, 100.0, 300.0, 400.0));
+    tests.push_back(noise(2 * i + 1, 4000, 200.0, 5.0));
+  }
+  const auto c = compare_histories(runs, tests);
+  const auto differing = c["differs"].get<std::vector<std::string>>();
+  BOOST_TEST((std::ranges::find(differing, "growth") != differing.end()));
+  BOOST_TEST(c["growth"]["ratio"].get<double>() == 5.0 / 3.0, boost::test_tools::tolerance(0.01));
+}
+
+BOOST_AUTO_TEST_CASE(a_load_without_a_positive_mean_or_with_few_samples_has_no_growth) {
+  const LoadHistory load = noise(1, 2000, 100.0, 20.0);
+  BOOST_TEST(!compare_histories(load, noise(2, 2000, -100.0, 20.0)).contains("growth"));
+  BOOST_TEST(!compare_histories(load, noise(2, 30, 100.0, 20.0)).contains("growth"));
+  BOOST_TEST(contains(comparison_text(compare_histories(load, noise(2, 30, 100.0, 20.0))), "growth"));
+}
+
 BOOST_AUTO_TEST_CASE(a_replicate_with_a_shorter_step_weighs_as_its_time) {
   const auto constant = [](std::size_t n, double dt, double value) {
     LoadHistory load;

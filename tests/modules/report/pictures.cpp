@@ -129,6 +129,8 @@ BOOST_AUTO_TEST_CASE(the_picture_holds_both_histories_and_closes_its_elements) {
   const std::string svg = comparison_picture(run, measured, analysis::compare_histories(run, measured));
   BOOST_TEST(contains(svg, "run: Fx"));
   BOOST_TEST(contains(svg, "measured: Fx"));
+  BOOST_TEST(contains(svg, "means of quarters"));
+  BOOST_TEST(contains(svg, "difference at 5 %"));
   BOOST_TEST(!contains(svg, "nan"));
   const auto count = [&](const std::string& part) {
     int n = 0;

@@ -6,19 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "brash/analysis/history_growth.hpp"
 #include "brash/analysis/load_history.hpp"
 
 namespace brash::analysis {
 
-/// A run's history against a measured one: mean, deviation, peaks, distribution and spectrum, each with a 95 % interval
-/// or a test. `differs` names the statistics that differ at 5 %, all tests adjusted together by Holm's method.
+/// A run's history against a measured one: mean, deviation, peaks, growth, distribution and spectrum, each with a 95 %
+/// interval or a test. `differs` names the statistics that differ at 5 %, all tests adjusted together by Holm's method.
 /// `could_hide` has the largest relative difference that each interval still holds.
-nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured);
+///
+/// @param speeds  of the ice on both sides; with them the growth is compared over equal travel.
+nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured,
+                                         const IceSpeeds& speeds = {});
 
 /// The same of several histories a side, such as the replicates of a campaign. The histories of a side are independent,
 /// so their spread gives the errors, not the correlation within one history.
-nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs,
-                                         const std::vector<LoadHistory>& measured);
+nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::vector<LoadHistory>& measured,
+                                         const IceSpeeds& speeds = {});
 
 /// Histories one after another with gaps between them.
 /// @throws InputError when their units differ.
