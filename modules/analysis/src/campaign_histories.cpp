@@ -119,7 +119,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
                                                       const std::string& where) {
   if (!io::is_campaign(folder))
     throw InputError(Complaint{folder, "is not a campaign: it has no campaign.csv", "the folder of a campaign",
-                               "give the folder that `brash campaign` wrote"});
+                               "give the folder that `brash campaign` wrote; `--resume` writes its table again"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;
   std::map<std::string, std::vector<std::string>> done = counted_cases(folder);

@@ -187,7 +187,7 @@ class Design(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder / "cases/thin-r0007")
         self.assertEqual(json.loads(self.design("--json"))["settings"][0]["replicates"], 3)
         table.unlink()
-        self.assertIn("campaign.csv: cannot be opened", self.design(code=2))
+        self.assertIn("it has no campaign.csv", self.design(code=2))
 
     def test_a_name_that_a_spreadsheet_would_compute_keeps_its_case(self):
         table = self.folder / "campaign.csv"
