@@ -304,7 +304,7 @@ def spoilt(draw, path, of, value):
     if "enum" in of:
         texts += [toml(draw.one(of["enum"])[:-1] + "q"), toml(draw.one(of["enum"]).upper())]
     if kind == "array":
-        texts += ["1.0", "[1]", '["a", "b"]']
+        texts += ["1.0", '["a", "b"]'] + (["[1]"] if of.get("minItems", 0) > 1 else [])
     allowed_text = kind == "string" and "enum" not in of
     return [text for text in texts if not (allowed_text and text.startswith('"')) and not (kind == "array" and text == "{}")]
 

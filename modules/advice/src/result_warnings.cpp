@@ -57,6 +57,21 @@ void add_coverage_warning(const LoadsSeen& loads, Warnings& warnings) {
                                    100.0 * first, 100.0 * second)});
 }
 
+/// Floes that are crushed leave the run, and pieces too small for a floe become brash.
+void add_deletion_warning(const geometry::Ledger& ledger, Warnings& warnings) {
+  constexpr double kMost = 0.5;  // of the ice that broke off: more of it has gone than floats
+  const double deleted = ledger.deleted.square_metres(), brash = ledger.brash.square_metres();
+  const double broken = deleted + brash + ledger.floes.square_metres();
+  if (!(deleted + brash > kMost * broken)) return;
+  warnings.push_back(
+      {"deleted-ice",
+       fmt::format(
+           "{:.0f} % of the ice that broke off is no longer there: {:.3g} m2 left with crushed floes, and {:.3g} m2 "
+           "became brash. It loads the structure no more, so loads may be too low; compare with "
+           "contact.delete_crushed = false, or lower failure.smallest_floe",
+           100.0 * (deleted + brash) / broken, deleted, brash)});
+}
+
 std::string no_load_text(std::optional<double> last, double statistics_from) {
   constexpr const char* kCheck = "check the structure's course, its distance at the start, and where the ice lies";
   if (!last) return fmt::format("no ice touched the structure in the whole run: {}", kCheck);
@@ -86,6 +101,7 @@ Warnings warnings_of(const RunSummary& s, const LoadsSeen& loads, const model::R
   if (!no_load) add_reference_warning(s, reference, warnings);
   add_unsettled_warning(s, loads.n_steps(), warnings);
   add_coverage_warning(loads, warnings);
+  add_deletion_warning(s.ledger, warnings);
   return warnings;
 }
 

@@ -13,6 +13,7 @@
 #include "brash/analysis/tables.hpp"
 #include "brash/core/text.hpp"
 #include "brash/statistics/summary.hpp"
+#include "fatigue_text.hpp"
 
 namespace brash::analysis {
 namespace {
@@ -52,11 +53,19 @@ StatePeaks peaks_of(const DesignState& state) {
   return peaks;
 }
 
+/// Why a state has no part in the tail; "" where it has one.
+std::string why_no_tail(const ExtremeValues& e) {
+  const std::vector<double>& over = e.over;
+  if (over.size() < SharedTail::kFewestOfState)
+    return fmt::format("{} of {} load events are over the threshold, too few", over.size(), e.n_events);
+  return std::ranges::max(over) > std::ranges::min(over) ? "" : "all peaks over the threshold are equal";
+}
+
 /// Fits one tail to all states with enough peaks; returns why there is none, else "".
 std::string fit_tail(Design& design) {
   std::vector<StatePeaks> peaks;
   for (DesignState& state : design.states) {
-    if (state.extremes.over.size() < SharedTail::kFewestOfState) continue;
+    if (!why_no_tail(state.extremes).empty()) continue;
     state.in_tail = peaks.size();
     peaks.push_back(peaks_of(state));
   }
@@ -140,8 +149,7 @@ ordered_json state_json(const Design& design, const DesignState& state, const De
   if (const std::string correlated = correlation_warning(e); !correlated.empty()) out["warnings"].push_back(correlated);
   if (state.hours_a_year > 0.0 && !state.in_tail)
     out["warnings"].push_back(
-        fmt::format("{} peaks over the threshold are too few for a tail: its {:g} hours a year add nothing",
-                    e.over.size(), state.hours_a_year));
+        fmt::format("no tail: {}, so its {:g} hours a year add nothing", why_no_tail(e), state.hours_a_year));
   for (const std::string& warning : run_warnings(state.setting->replicates)) out["warnings"].push_back(warning);
   return out;
 }
@@ -194,7 +202,7 @@ void add_hours(const DesignSettings& asked, const std::string& refusal, Design& 
         answer(*design.tail, q);
       }
     } else {
-      const auto why = state.in_tail ? refusal : fmt::format("{} load events are too few", state.extremes.n_events);
+      const std::string why = state.in_tail ? refusal : why_no_tail(state.extremes);
       for (Question& q : questions) q.json["refused"] = why;
     }
     for (Question& q : questions) design.json["settings"][i]["levels"].push_back(std::move(q.json));
@@ -332,7 +340,7 @@ std::string state_text(const ordered_json& s, const TableUnit& unit) {
   text += heads_text("hours", unit);
   for (const ordered_json& level : s["levels"]) text += level_text(level["hours"].get<double>(), level, unit, most, "");
   text += notes_text(s["levels"], most);
-  text += convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"]);
+  text += convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"], unit);
   for (const ordered_json& warning : s["warnings"]) text += fmt::format("  warning: {}\n", warning.get<std::string>());
   return text;
 }
@@ -438,7 +446,7 @@ std::string design_text(const ordered_json& design) {
       design["unit"].is_null() ? "" : fmt::format(" [{}]", printable(design["unit"].get<std::string>()));
   std::string text = design["column"].get<std::string>() + si + "\n" + origin_text(design) + tail_text(design);
   if (design.contains("annual")) text += years_text(design, unit);
-  if (design.contains("fatigue")) text += fatigue_text(design["fatigue"]);
+  if (design.contains("fatigue")) text += fatigue_text(design["fatigue"], unit);
   for (const ordered_json& state : design["settings"]) text += state_text(state, unit);
   return text;
 }

@@ -49,6 +49,17 @@ void ask_for_memory(std::size_t n_bytes) {
   ::operator delete(::operator new(kRoom + kCopies * n_bytes));
 }
 
+/// Lets the library keep a chunk of a deflated variable that is read piece by piece: it would inflate the chunk again
+/// for each piece.
+void keep_chunk(int file, int variable, std::size_t n_bytes_of_value) {
+  constexpr std::size_t kMostBytes = 64 << 20;
+  int storage = NC_CONTIGUOUS;
+  std::size_t length = 0;
+  if (nc_inq_var_chunking(file, variable, &storage, &length) != NC_NOERR || storage != NC_CHUNKED) return;
+  if (length > kMostBytes / n_bytes_of_value) return;
+  nc_set_var_chunk_cache(file, variable, length * n_bytes_of_value, /*nelems=*/1, /*preemption=*/1.0F);
+}
+
 }  // namespace
 
 void FileImage::Free::operator()(void* memory) const {
@@ -326,13 +337,22 @@ std::set<std::string> NetcdfReader::variables() const {
 }
 
 template <typename T>
-void NetcdfReader::read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const {
+void NetcdfReader::read(const std::string& name, const std::string& dimension, std::size_t first, std::size_t n,
+                        std::vector<T>& values) const {
   const int variable = find(name, dimension, kType<T>);
-  values.resize(length(dimension));
-  const std::size_t start = 0;
-  const std::size_t count = values.size();
-  if (count > 0) check(nc_get_vara(file_, variable, &start, &count, values.data()), name);
+  if (first == 0 && n < length(dimension)) keep_chunk(file_, variable, sizeof(T));
+  values.resize(n);
+  if (n > 0) check(nc_get_vara(file_, variable, &first, &n, values.data()), name);
 }
+
+template void NetcdfReader::read(const std::string&, const std::string&, std::size_t, std::size_t,
+                                 std::vector<double>&) const;
+template void NetcdfReader::read(const std::string&, const std::string&, std::size_t, std::size_t,
+                                 std::vector<std::int64_t>&) const;
+template void NetcdfReader::read(const std::string&, const std::string&, std::size_t, std::size_t,
+                                 std::vector<std::int32_t>&) const;
+template void NetcdfReader::read(const std::string&, const std::string&, std::size_t, std::size_t,
+                                 std::vector<std::int8_t>&) const;
 
 void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<std::string>& values) const {
   const int variable = find(name, dimension, NC_STRING);
@@ -346,18 +366,18 @@ void NetcdfReader::read(const std::string& name, const std::string& dimension, s
 }
 
 void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<double>& values) const {
-  read_as(name, dimension, values);
+  read(name, dimension, 0, length(dimension), values);
 }
 void NetcdfReader::read(const std::string& name, const std::string& dimension,
                         std::vector<std::int64_t>& values) const {
-  read_as(name, dimension, values);
+  read(name, dimension, 0, length(dimension), values);
 }
 void NetcdfReader::read(const std::string& name, const std::string& dimension,
                         std::vector<std::int32_t>& values) const {
-  read_as(name, dimension, values);
+  read(name, dimension, 0, length(dimension), values);
 }
 void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<std::int8_t>& values) const {
-  read_as(name, dimension, values);
+  read(name, dimension, 0, length(dimension), values);
 }
 
 }  // namespace brash::io

@@ -134,12 +134,14 @@ class NetcdfReader {
   void read(const std::string& name, const std::string& dimension, std::vector<std::int32_t>& values) const;
   void read(const std::string& name, const std::string& dimension, std::vector<std::int8_t>& values) const;
   void read(const std::string& name, const std::string& dimension, std::vector<std::string>& values) const;
+  /// The same of `n` values from `first` on.
+  template <typename T>
+  void read(const std::string& name, const std::string& dimension, std::size_t first, std::size_t n,
+            std::vector<T>& values) const;
   /// Throws the InputError of a file whose content makes no sense.
   [[noreturn]] void refuse(const std::string& what) const;
 
  private:
-  template <typename T>
-  void read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const;
   /// The id of the one-dimensional variable `name` of this type along `dimension`.
   int find(const std::string& name, const std::string& dimension, int type) const;
   void check(int status, const std::string& what) const;

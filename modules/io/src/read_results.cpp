@@ -25,8 +25,8 @@ class Check {
  public:
   explicit Check(const NetcdfReader& file) : file_(file) {}
 
-  void results(const model::RunResults& r) const {
-    rows("load", r.loads);
+  /// Everything but loads and frames.
+  void results(const model::RunResults& r) {
     rows("event", r.events);
     rows("split", r.splits);
     rows("floe", r.floes);
@@ -36,27 +36,45 @@ class Check {
                         is_near(event.at.y, kFarthestNode);
       if (!cuts) file_.refuse(fmt::format("the crack at t = {} s has no place, radius or wedges", event.time));
     }
-    std::set<std::int64_t> floes;
     for (const model::FloeRecord& floe : r.floes) {
-      if (!floes.insert(floe.id).second) file_.refuse(fmt::format("floe {} is there twice", floe.id));
+      if (!floes_.insert(floe.id).second) file_.refuse(fmt::format("floe {} is there twice", floe.id));
       rings(fmt::format("floe {}", floe.id), floe.rings);
       pose(fmt::format("floe {}", floe.id), floe.birth_pose);
     }
     for (const model::CrackedSheet& sheet : r.cracked_sheets) rings("cracked_sheet", sheet.rings);
     rings("initial_sheet", r.initial_sheet);
     rings("final_sheet", r.final_sheet);
-    for (std::size_t i = 0; i < r.frames.size(); ++i) frame(fmt::format("frame {}", i), r.frames[i], floes);
+  }
+
+  /// The next rows of the loads.
+  void loads(const std::vector<model::LoadRow>& next) {
+    rows("load", next, n_loads_);
+    n_loads_ += next.size();
+  }
+
+  /// The next frame.
+  void frame(const model::Frame& frame) {
+    constexpr double kMostForce = 1e10;  // [N], far above the largest crushing force
+    const std::string name = fmt::format("frame {}", n_frames_++);
+    if (!std::isfinite(frame.time)) file_.refuse(name + " has no time");
+    pose("the structure in " + name, frame.structure);
+    for (const model::FloePose& floe : frame.floes) {
+      const auto of = [&] { return fmt::format("floe {} in {}", floe.floe, name); };
+      if (!floes_.contains(floe.floe)) file_.refuse(of() + " is not in the list of floes");
+      if (!is_pose(floe.pose)) pose(of(), floe.pose);
+      if (!is_near(floe.contact_force, kMostForce)) file_.refuse(of() + " has no contact force");
+    }
   }
 
  private:
   static bool is_near(double value, double most) { return std::abs(value) <= most; }  // false for not a number
 
   template <typename Row>
-  void rows(const char* of, const std::vector<Row>& rows) const {
+  void rows(const char* of, const std::vector<Row>& rows, std::size_t first = 0) const {
     Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
       for (std::size_t i = 0; i < rows.size(); ++i)
         if (!std::isfinite(static_cast<double>(member(rows[i]))))
-          file_.refuse(fmt::format("{}{} of {} {} is not finite", Columns<Row>::prefix, name, of, i));
+          file_.refuse(fmt::format("{}{} of {} {} is not finite", Columns<Row>::prefix, name, of, first + i));
     });
   }
 
@@ -69,27 +87,21 @@ class Check {
     }
   }
 
-  void pose(const std::string& of, const Pose& pose) const {
+  static bool is_pose(const Pose& pose) {
     const auto& [at, q] = pose;
     const bool is_there = is_near(at.x, kFarthestFloe) && is_near(at.y, kFarthestFloe) && is_near(at.z, kFarthestFloe);
     const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     // Attitudes are kept normalised far better than this tolerance, which refuses quaternions that are no rotation.
-    if (!is_there || !is_near(size - 1.0, 1e-3)) file_.refuse(of + " has no place or no attitude");
+    return is_there && is_near(size - 1.0, 1e-3);
   }
 
-  void frame(const std::string& name, const model::Frame& frame, const std::set<std::int64_t>& floes) const {
-    constexpr double kMostForce = 1e10;  // [N], far above the largest crushing force
-    if (!std::isfinite(frame.time)) file_.refuse(name + " has no time");
-    pose("the structure in " + name, frame.structure);
-    for (const model::FloePose& floe : frame.floes) {
-      const std::string of = fmt::format("floe {} in {}", floe.floe, name);
-      if (!floes.contains(floe.floe)) file_.refuse(of + " is not in the list of floes");
-      pose(of, floe.pose);
-      if (!is_near(floe.contact_force, kMostForce)) file_.refuse(of + " has no contact force");
-    }
+  void pose(const std::string& of, const Pose& pose) const {
+    if (!is_pose(pose)) file_.refuse(of + " has no place or no attitude");
   }
 
   const NetcdfReader& file_;
+  std::set<std::int64_t> floes_{};
+  std::size_t n_loads_ = 0, n_frames_ = 0;
 };
 
 /// The rows of a history.csv.
@@ -125,10 +137,28 @@ std::vector<model::LoadRow> read_loads(const std::string& path) {
 std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
 
 model::RunResults read_results(const std::string& path) {
-  const NetcdfReader file(path);
-  model::RunResults results = read_tables(file);
-  Check(file).results(results);
+  std::vector<model::LoadRow> loads;
+  std::vector<model::Frame> frames;
+  model::RunResults results = read_results(path, all_of(loads, frames));
+  results.loads = std::move(loads);
+  results.frames = std::move(frames);
   return results;
+}
+
+model::RunResults read_results(const std::string& path, const ResultPieces& pieces) {
+  const NetcdfReader file(path);
+  Check check(file);
+  const ResultPieces checked{.loads =
+                                 [&](std::vector<model::LoadRow>&& rows, std::size_t n) {
+                                   check.loads(rows);
+                                   pieces.loads(std::move(rows), n);
+                                 },
+                             .frame =
+                                 [&](model::Frame&& frame) {
+                                   check.frame(frame);
+                                   pieces.frame(std::move(frame));
+                                 }};
+  return read_tables(file, checked, [&](const model::RunResults& others) { check.results(others); });
 }
 
 }  // namespace brash::io

@@ -66,21 +66,27 @@ void write_rows(NetcdfWriter& file, const std::vector<Row>& rows, const std::str
   visit_used(rows, column_writer<Row>(file, rows.size(), for_each_row, geometry), is_before);
 }
 
+/// `n` rows from `first` on.
 template <typename Row>
-std::vector<Row> read_rows(const NetcdfReader& file) {
-  std::vector<Row> rows(file.length(Columns<Row>::dimension));
+std::vector<Row> read_rows(const NetcdfReader& file, std::size_t first, std::size_t n) {
+  std::vector<Row> rows(n);
   Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
     if constexpr (requires { Columns<Row>::is_optional(name); })
       if (Columns<Row>::is_optional(name) && !file.has(Columns<Row>::prefix + name)) return;
     using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
     std::vector<typename Stored<Member>::Type> values;
-    file.read(Columns<Row>::prefix + name, Columns<Row>::dimension, values);
+    file.read(Columns<Row>::prefix + name, Columns<Row>::dimension, first, n, values);
     if constexpr (std::is_same_v<Member, model::FloeEnd>)
       for (const std::int8_t value : values)
         if (value < 0 || value > 2) file.refuse(fmt::format("{}{} has an unknown value", Columns<Row>::prefix, name));
     for (std::size_t i = 0; i < rows.size(); ++i) member(rows[i]) = static_cast<Member>(values[i]);
   });
   return rows;
+}
+
+template <typename Row>
+std::vector<Row> read_rows(const NetcdfReader& file) {
+  return read_rows<Row>(file, 0, file.length(Columns<Row>::dimension));
 }
 
 /// The coordinates in which the nodes of rings are given, and their unit.

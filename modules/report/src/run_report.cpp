@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 #include "blocks.hpp"
 #include "brash/core/error.hpp"
@@ -12,11 +14,14 @@
 #include "brash/io/case.hpp"
 #include "brash/io/origin.hpp"
 #include "brash/io/result_columns.hpp"
+#include "brash/io/result_pieces.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/live.hpp"
 #include "brash/report/report.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
+#include "drawn_statistics.hpp"
+#include "long_history.hpp"
 #include "page.hpp"
 
 namespace brash::report {
@@ -31,10 +36,22 @@ constexpr double kPlaceUnit = 1e-3;     ///< of poses and sheets [m]
 constexpr double kAttitudeUnit = 5e-5;  ///< of quaternions; half a millimetre at 5 m
 constexpr double kForceUnit = 10.0;     ///< of contact forces [N]
 
-/// Every column of `rows` as a block named `of`.column; loads in single precision.
+constexpr bool is_any(const std::string&) { return true; }
+
+/// Whether the page draws this column of a load history: a load of the whole structure, or an area of the ledger.
+bool is_drawn(const std::string& column) {
+  if (column == "time" || column.starts_with("area_")) return true;
+  const std::size_t from = column.size() < 2 ? 0 : column.size() - 2;
+  const bool is_load = std::ranges::find(kLoadNames, column.substr(from)) != kLoadNames.end();
+  return is_load && !column.starts_with("bed_");
+}
+
+/// The columns of `rows` that `is_wanted` as blocks named `of`.column; loads in single precision.
 template <typename Row>
-void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& rows) {
+void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& rows,
+                 bool (*is_wanted)(const std::string& name) = &is_any) {
   io::visit_used(rows, [&](const std::string& name, const char*, const std::string&, auto member) {
+    if (!is_wanted(name)) return;
     std::vector<double> values;
     values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(static_cast<double>(member(row)));
@@ -95,15 +112,14 @@ void extend(std::vector<TrackPose>& track, const TrackPose& next) {
     track.push_back(next);
 }
 
+/// For each floe its poses one after another.
+using Tracks = std::unordered_map<std::int64_t, std::vector<TrackPose>>;
+
 /// The frames turned about: for each floe its poses one after another, with the frame of each.
-void add_tracks(Blocks& blocks, const model::RunResults& results) {
-  std::unordered_map<std::int64_t, std::vector<TrackPose>> tracks;
-  for (std::size_t i = 0; i < results.frames.size(); ++i)
-    for (const model::FloePose& at : results.frames[i].floes)
-      extend(tracks[at.floe], {static_cast<std::int32_t>(i), rounded(at)});
+void add_tracks(Blocks& blocks, const std::vector<model::FloeRecord>& floes, Tracks& tracks) {
   std::vector<std::int32_t> count, frame;
   std::array<std::vector<std::int32_t>, kTrackColumns> columns;
-  for (const model::FloeRecord& floe : results.floes) {
+  for (const model::FloeRecord& floe : floes) {
     const std::vector<TrackPose>& track = tracks[floe.id];
     count.push_back(static_cast<std::int32_t>(track.size()));
     for (const TrackPose& at : track) {
@@ -181,9 +197,34 @@ void add_land(Blocks& blocks, const std::vector<Rings>& land) {
   add_polygons(blocks, "land", polygons, kPlaceUnit);
 }
 
-void add_run(Blocks& blocks, const model::Case& resolved, const model::RunResults& results) {
+/// A run's results as its page needs them, which of a long run are far fewer than in its files.
+struct PageResults {
+  model::RunResults results;  ///< with the loads to draw, and frames without floes
+  LongHistory history;
+  Tracks tracks;
+};
+
+PageResults read_for_page(const std::string& path) {
+  PageResults page;
+  std::vector<model::Frame> frames;
+  page.results =
+      io::read_results(path, {.loads = [&](auto&& rows, std::size_t n) { page.history.take(std::move(rows), n); },
+                              .frame =
+                                  [&](model::Frame&& frame) {
+                                    const auto i = static_cast<std::int32_t>(frames.size());
+                                    for (const model::FloePose& at : frame.floes)
+                                      extend(page.tracks[at.floe], {i, rounded(at)});
+                                    frames.push_back({frame.time, frame.structure, {}});
+                                  }});
+  page.results.loads = page.history.drawn();
+  page.results.frames = std::move(frames);
+  return page;
+}
+
+void add_run(Blocks& blocks, const model::Case& resolved, PageResults& page) {
+  const model::RunResults& results = page.results;
   add_structure(blocks, *structure::make_hull(resolved.structure), pose_at_end(resolved, results));
-  add_columns(blocks, "load", results.loads);
+  add_columns(blocks, "load", results.loads, is_drawn);
   add_columns(blocks, "event", results.events);
   add_columns(blocks, "split", results.splits);
   add_columns(blocks, "floe", results.floes);
@@ -191,26 +232,29 @@ void add_run(Blocks& blocks, const model::Case& resolved, const model::RunResult
   std::vector<const Rings*> outlines;
   for (const model::FloeRecord& floe : results.floes) outlines.push_back(&floe.rings);
   add_polygons(blocks, "outline", outlines, kOutlineUnit);
-  add_tracks(blocks, results);
+  add_tracks(blocks, results.floes, page.tracks);
   add_sheets(blocks, results);
 }
 
 /// The run's files as JSON, its arrays in `blocks` under names that begin with `prefix`.
 ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& blocks) {
-  const model::RunResults results = io::read_results(run.directory + "/run.nc");
+  PageResults page = read_for_page(run.directory + "/run.nc");
   const ordered_json summary = read_json(run.directory + "/summary.json");
   if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
     throw InputError(Complaint{run.directory + "/summary.json", "has no number `statistics_from`",
                                "the summary.json of a run", "copy it again, or run the case again"});
   blocks.begin(prefix);
-  add_run(blocks, case_of_run(run.directory), results);
+  add_run(blocks, case_of_run(run.directory), page);
   add_land(blocks, run.land);
   return {{"kind", "run"},
           {"origin", io::origin_line(io::origin_in(run.directory + "/manifest.json"))},
           {"manifest", read_json(run.directory + "/manifest.json")},
           {"summary", summary},
           {"closed_forms", ordered_json::parse(run.closed_forms)},
-          {"loads", ordered_json::parse(run.loads())}};
+          {"drawn_rows", {{"n", page.results.loads.size()}, {"span", page.history.span()}}},
+          {"loads", drawn_statistics(
+                        ordered_json::parse(run.loads()), page.history.samples(), summary.value("statistics_from", 0.0),
+                        summary.value("statistics_until", std::numeric_limits<double>::infinity()), blocks)}};
 }
 
 /// The measured history: its name and statistics as JSON, its samples as blocks.

@@ -41,6 +41,16 @@ def write_campaign(folder, replicates):
     (folder / "campaign.csv").write_text("\n".join(["case,setting,replicate,status", *rows]) + "\n")
 
 
+class Two:
+    """Peaks of two heights, one in twenty the higher."""
+    def __init__(self):
+        self.n = 0
+
+    def expovariate(self, _):
+        self.n += 1
+        return 50.0 if self.n % 20 == 0 else 20.0
+
+
 class Design(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -172,6 +182,33 @@ class Design(unittest.TestCase):
             run.write_text("".join(kept.splitlines(True)[:51]))  # five cycles
         self.assertIn("no level: all states together have", self.design("--hours", 1))
         self.assertIn("all settings: no level", self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n")))
+
+    def test_a_state_whose_peaks_are_all_equal_leaves_the_others_their_levels(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            write_campaign(folder, 3)
+            alone = json.loads(self.design("--hours", 1, "--json"))
+            self.folder, before = folder, self.folder
+            self.addCleanup(setattr, self, "folder", before)
+            for run in (folder / "cases").glob("thick-*"):
+                (run / "history.csv").write_text(sawtooth(1.0, Two()))
+            states = folder / "states.csv"
+            states.write_text("ice.thickness,hours\n0.3,100\n0.6,200\n")
+            found = json.loads(self.design("--hours", 1, "--scatter", states, "--json"))
+            thin, thick = ({s["setting"]: s for s in found["settings"]}[name] for name in ("thin", "thick"))
+            self.assertEqual(thick["levels"][0]["refused"], "all peaks over the threshold are equal")
+            self.assertIn("its 200 hours a year add nothing", thick["warnings"][0])
+            # One shape was fitted to both states before.
+            one = {s["setting"]: s for s in alone["settings"]}["thin"]["levels"][0]
+            self.assertLess(abs(thin["levels"][0]["level"] / one["level"] - 1.0), 0.2)
+            self.assertEqual(list(found["annual"][0]["shares"]), ["thin"])
+
+    def test_equivalent_loads_have_the_unit_of_the_levels(self):
+        for line in self.design("--hours", 1, "--exponent", 5).splitlines():
+            if "equivalent load" in line:
+                self.assertRegex(line, r"equivalent load +[\d.]+ m?k?N   95 % interval")
+                unit = line.split()[3]
+        self.assertRegex(self.design("--hours", 1), rf"hours +{unit} ")
 
     def test_cases_are_those_that_the_table_counts_as_done(self):
         table = self.folder / "campaign.csv"

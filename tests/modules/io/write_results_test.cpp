@@ -16,6 +16,7 @@
 #include "brash/core/version.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
+#include "brash/io/result_pieces.hpp"
 #include "brash/io/results.hpp"
 #include "netcdf_file.hpp"
 #include "sample_results.hpp"
@@ -107,6 +108,30 @@ BOOST_AUTO_TEST_CASE(a_long_replay_of_floes_at_rest_takes_little_room) {
   BOOST_TEST(static_cast<double>(std::filesystem::file_size(scratch.path("run.nc"))) <
              0.05 * kBytesOfPose * kFrames * kFloes);
   BOOST_TEST((read_results(scratch.path("run.nc")) == results));
+}
+
+BOOST_AUTO_TEST_CASE(long_results_are_read_piece_by_piece) {
+  const Scratch scratch;
+  RunResults results = results_of_replay(2000, 50);
+  results.loads.resize(50000, results.loads.empty() ? LoadRow{} : results.loads.back());
+  for (std::size_t i = 0; i < results.loads.size(); ++i) results.loads[i].time = 0.01 * static_cast<double>(i + 1);
+  write_results(scratch.folder().string(), validation(), results);
+  std::vector<LoadRow> loads;
+  std::vector<Frame> frames;
+  std::size_t n_pieces = 0;
+  RunResults read = read_results(scratch.path("run.nc"), {.loads =
+                                                              [&](std::vector<LoadRow>&& rows, std::size_t n) {
+                                                                ++n_pieces;
+                                                                BOOST_TEST(n == results.loads.size());
+                                                                loads.insert(loads.end(), rows.begin(), rows.end());
+                                                              },
+                                                          .frame = [&](Frame&& next) { frames.push_back(next); }});
+  BOOST_TEST(n_pieces > 2U);
+  BOOST_TEST(read.loads.empty());
+  BOOST_TEST(read.frames.empty());
+  read.loads = loads;
+  read.frames = frames;
+  BOOST_TEST((read == results));
 }
 
 /// The most memory that the process has held [bytes].

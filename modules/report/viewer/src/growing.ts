@@ -131,7 +131,7 @@ export class Growing {
 
   /** The files of a run that has none yet. */
   files({ manifest, origin }: LiveData): RunFiles {
-    return { kind: "run", origin, manifest, summary: { statistics_from: 0 } as RunFiles["summary"], closed_forms: { kind: "", loads: [] }, loads: null };
+    return { kind: "run", origin, manifest, summary: { statistics_from: 0 } as RunFiles["summary"], closed_forms: { kind: "", loads: [] }, loads: null, drawn_rows: { n: 0, span: 1 } };
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The load history: every sample, its causes, the cracks, and the replay's time.
+// The load history: its samples, their causes, the cracks, and the replay's time.
 import uPlot from "uplot";
 import { axis, Chart, type Shown } from "./charts";
 import { kLoadNames, kLoads, type LoadChoice } from "./choice";
@@ -199,7 +199,13 @@ export class LoadHistory {
     const peak = this.run.nEvents > 0 ? "Click a peak for the crack behind it" : "Click a peak to see it in the replay";
     this.notes.replaceChildren(
       el("span", { class: "do" }, `${peak}; drag to zoom; choose a name above to show or hide its line. `), kMeaning,
-      marks && ` · ${marks}`, ".");
+      marks && ` · ${marks}`, ".", this.ofLongRun());
+  }
+
+  /** That a long run is drawn by the extremes of its loads, and where all rows are. */
+  private ofLongRun(): string {
+    const { n, span } = this.run.data.drawn_rows;
+    return span > 1 ? ` Of this long run ${n} rows are drawn, the extremes of every ${span} steps. run.nc and history.csv have all rows.` : "";
   }
 
   /** Mean with its interval, the reference and cracks. */

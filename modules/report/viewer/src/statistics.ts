@@ -74,8 +74,9 @@ function spectrumChart(run: Run, choice: LoadChoice): Chart {
       };
     },
     () => {
-      const { n_segments: n, factors_95: [low, high] } = of()!;
-      return `Power spectral density (Welch, ${n} segments, Hann). 95 % interval: ${number(low, 2)} to ${number(high, 2)} times each value.`;
+      const { n_segments: n, n_lines: lines = 0, frequency, factors_95: [low, high] } = of()!;
+      const drawn = frequency.length < lines ? ` Drawn: the lowest and the highest of ${lines} lines in narrow bands.` : "";
+      return `Power spectral density (Welch, ${n} segments, Hann). 95 % interval: ${number(low, 2)} to ${number(high, 2)} times each value.${drawn}`;
     },
   );
 }
@@ -136,20 +137,12 @@ function reasonsOf(run: Run): string {
   return reasons ? `They begin when ${reasons.begins}, and end when ${reasons.ends}. ` : "";
 }
 
-/** Of a time, as a share. */
-const kRounding = 1e-9;
-
 function exceedance(run: Run, choice: LoadChoice, { events, lower_end }: LoadStatistics): uPlot.AlignedData {
-  const times = run.column("load.time");
-  const loads = run.column(`load.${choice.name}`);
-  const samples: number[] = [];
-  const { statistics_from: from, statistics_until: until = Infinity } = run.data.summary;
-  for (let i = 0; i < loads.length; ++i) if (times[i] > from && times[i] <= until * (1 + kRounding)) samples.push(loads[i]);
-  const largestFirst = (a: number, b: number) => (lower_end ? a - b : b - a);
-  samples.sort(largestFirst);
-  const peaks = events.map(({ peak }) => peak).sort(largestFirst);
+  const values = run.column(`exceedance.${choice.name}.value`);
+  const ranks = run.column(`exceedance.${choice.name}.rank`);
+  const peaks = events.map(({ peak }) => peak).sort((a, b) => (lower_end ? a - b : b - a));
   const points = new Map<number, [number | null, number | null]>();
-  samples.forEach((value, i) => points.set(inLoadUnit(value), [(i + 1) / (samples.length + 1), null]));
+  for (let i = 0; i < values.length; ++i) points.set(inLoadUnit(values[i]), [ranks[i] / (ranks.at(-1)! + 1), null]);
   peaks.forEach((value, i) => {
     const share = (i + 1) / (peaks.length + 1);
     points.set(inLoadUnit(value), [points.get(inLoadUnit(value))?.[0] ?? null, share]);

@@ -87,6 +87,8 @@ export interface ClosedForm {
 export interface Spectrum {
   frequency: number[];
   density: number[];
+  /** How many lines the estimate has; of many, the lowest and the highest of narrow bands are here. */
+  n_lines?: number;
   factors_95: [number, number];
   n_segments: number;
 }
@@ -155,6 +157,8 @@ export interface RunFiles {
   summary: RunSummary;
   closed_forms: { kind: string; loads: ClosedForm[] };
   loads: Record<LoadName, LoadStatistics> | null;
+  /** The `load` blocks have `n` rows: all, or of each `span` of rows those with an extreme of a drawn load. */
+  drawn_rows: { n: number; span: number };
 }
 
 export interface RunData extends RunFiles {
