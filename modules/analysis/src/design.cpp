@@ -332,7 +332,7 @@ std::string state_text(const ordered_json& s, const TableUnit& unit) {
   text += heads_text("hours", unit);
   for (const ordered_json& level : s["levels"]) text += level_text(level["hours"].get<double>(), level, unit, most, "");
   text += notes_text(s["levels"], most);
-  text += convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"]);
+  text += convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"], unit);
   for (const ordered_json& warning : s["warnings"]) text += fmt::format("  warning: {}\n", warning.get<std::string>());
   return text;
 }
@@ -438,7 +438,7 @@ std::string design_text(const ordered_json& design) {
       design["unit"].is_null() ? "" : fmt::format(" [{}]", printable(design["unit"].get<std::string>()));
   std::string text = design["column"].get<std::string>() + si + "\n" + origin_text(design) + tail_text(design);
   if (design.contains("annual")) text += years_text(design, unit);
-  if (design.contains("fatigue")) text += fatigue_text(design["fatigue"]);
+  if (design.contains("fatigue")) text += fatigue_text(design["fatigue"], unit);
   for (const ordered_json& state : design["settings"]) text += state_text(state, unit);
   return text;
 }

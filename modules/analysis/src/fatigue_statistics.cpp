@@ -84,8 +84,8 @@ ordered_json equivalent_load(const std::vector<Piece>& pieces, const std::vector
   return out;
 }
 
-std::string interval_text(const ordered_json& ends) {
-  return ends[0].is_null() ? "no interval" : "95 % interval " + ends_text(ends);
+std::string interval_text(const ordered_json& ends, double one) {
+  return ends[0].is_null() ? "no interval" : "95 % interval " + ends_text(ends, one);
 }
 
 /// The warning of a record that lacks the cycles that do the damage; "" for one that has them.
@@ -113,11 +113,12 @@ ordered_json fatigue_json(const std::vector<const LoadHistory*>& loads, const st
   return out;
 }
 
-std::string fatigue_text(const ordered_json& fatigue) {
+std::string fatigue_text(const ordered_json& fatigue, const TableUnit& unit) {
   std::string text;
   for (const ordered_json& f : fatigue) {
-    text += fmt::format("  equivalent load      {:.6g}   ", f["equivalent_load"].get<double>());
-    text += interval_text(f["equivalent_load_95"]);
+    text += fmt::format("  equivalent load      {:.6g}{}{}   ", f["equivalent_load"].get<double>() / unit.one,
+                        unit.name.empty() ? "" : " ", unit.name);
+    text += interval_text(f["equivalent_load_95"], unit.one);
     text += fmt::format(", exponent {:g}, at {:g} Hz\n", f["exponent"].get<double>(), f["frequency"].get<double>());
     if (f["equivalent_load_95"][0].is_null() && f.contains("stretches"))
       text += fmt::format("    note: {} independent stretches are too few for an interval\n",
