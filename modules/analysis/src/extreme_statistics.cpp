@@ -96,10 +96,10 @@ void add_extremes(const ExtremeAnalysis& analysis, ordered_json& out) {
   for (const std::string& warning : analysis.warnings) out["warnings"].push_back(warning);
 }
 
-std::string ends_text(const ordered_json& ends) {
+std::string ends_text(const ordered_json& ends, double one) {
   const bool open = ends[1].is_null() || !std::isfinite(ends[1].get<double>());
-  return fmt::format("[{:.6g}, {}]", ends[0].get<double>(),
-                     open ? "no upper end" : fmt::format("{:.6g}", ends[1].get<double>()));
+  return fmt::format("[{:.6g}, {}]", ends[0].get<double>() / one,
+                     open ? "no upper end" : fmt::format("{:.6g}", ends[1].get<double>() / one));
 }
 
 std::string extremes_text(const ordered_json& s) {

@@ -5,6 +5,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import shutil
 import struct
 import subprocess
@@ -127,6 +128,18 @@ class Design(unittest.TestCase):
         loads = [state["fatigue"][0]["equivalent_load"] for state in found["settings"]]
         pooled = ((100 * loads[0]**4 + 2 * loads[1]**4) / 102)**0.25
         self.assertAlmostEqual(found["fatigue"][0]["equivalent_load"], pooled, places=6)
+
+    def test_equivalent_loads_have_the_unit_of_the_levels_and_warnings_of_runs_are_whole(self):
+        file = self.folder / "cases/thin-r0000/summary.json"
+        kept = file.read_text()
+        self.addCleanup(file.write_text, kept)
+        words = "of many words, " * 20 + "and a remedy at its end"
+        file.write_text(json.dumps({"statistics_from": 0.0, "warnings": [{"id": "short-run", "text": words}]}))
+        said = self.design("--hours", 1, "--exponent", 4)
+        self.assertIn(f"  warning: of 1 of 3 runs: short-run: {words}\n", said)
+        found = json.loads(self.design("--hours", 1, "--exponent", 4, "--json"))
+        for state, (number, unit) in zip(found["settings"], re.findall(r"equivalent load +(\S+) (k?N) ", said), strict=True):
+            self.assertAlmostEqual(float(number) * {"N": 1, "kN": 1e3}[unit], state["fatigue"][0]["equivalent_load"], delta=1e-2)
 
     def test_a_scatter_table_of_a_spreadsheet_begins_with_a_byte_order_mark(self):
         text = "ice.thickness,hours\r\n0.3,100\r\n0.6,2\r\n"

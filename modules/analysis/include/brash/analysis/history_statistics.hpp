@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/analysis/load_history.hpp"
+#include "brash/analysis/tables.hpp"
 #include "brash/statistics/extreme_analysis.hpp"
 #include "brash/statistics/spectrum.hpp"
 
@@ -55,8 +56,8 @@ std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& history, doub
 /// `laws` (all five, with levels, intervals and tests), `recommended` with its reason, `warnings`.
 void add_extremes(const statistics::ExtremeAnalysis& analysis, nlohmann::ordered_json& out);
 
-/// "[1, 2]" for the ends of an interval; "[1, no upper end]".
-std::string ends_text(const nlohmann::ordered_json& ends);
+/// "[1, 2]" for the ends of an interval, over `one`; "[1, no upper end]".
+std::string ends_text(const nlohmann::ordered_json& ends, double one = 1.0);
 
 /// The extremes as text for a reader.
 std::string extremes_text(const nlohmann::ordered_json& statistics);
@@ -68,8 +69,8 @@ std::string extremes_text(const nlohmann::ordered_json& statistics);
 nlohmann::ordered_json fatigue_json(const std::vector<const LoadHistory*>& loads, const std::vector<double>& exponents,
                                     double stretch, double frequency);
 
-/// The same as text for a reader; "" for an empty array.
-std::string fatigue_text(const nlohmann::ordered_json& fatigue);
+/// The same as text for a reader, in `unit`; "" for an empty array.
+std::string fatigue_text(const nlohmann::ordered_json& fatigue, const TableUnit& unit = {1.0, ""});
 
 /// A table for a CSV file: its names, and its lines.
 struct CsvTable {
