@@ -307,8 +307,8 @@ NOTES = """![Speed-up over threads, where their time goes, and a step on 8 and o
 and the few strips of the solver a small one. Dashes are the critical path. A shade reaches down to exchanges between cores that
 cost 5 times as much.*
 
-The simulation measures each chunk of each loop on one thread, and shares the chunks as `Workers` does. It leaves out shared caches,
-slower processors under load and the system's own scheduling. `./dev bench threads` measures two threads.
+The simulation shares the measured chunks of each loop as `Workers` does. It leaves out shared caches, slower processors under
+load and the system's scheduling.
 
 ## Limits of the comparisons
 
