@@ -13,7 +13,6 @@
 #include "brash/analysis/tables.hpp"
 #include "brash/core/text.hpp"
 #include "brash/statistics/summary.hpp"
-#include "fatigue_text.hpp"
 
 namespace brash::analysis {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/statistics/rainflow.hpp"
-#include "fatigue_text.hpp"
 
 namespace brash::analysis {
 namespace {
@@ -85,16 +84,8 @@ ordered_json equivalent_load(const std::vector<Piece>& pieces, const std::vector
   return out;
 }
 
-<<<<<<< HEAD
-/// @param one  of the printed unit.
-std::string interval_text(const ordered_json& ends, double one) {
-  if (ends[0].is_null()) return "no interval";
-  const ordered_json upper = ends[1].is_null() ? ordered_json() : ordered_json(ends[1].get<double>() / one);
-  return "95 % interval " + ends_text({ends[0].get<double>() / one, upper});
-=======
 std::string interval_text(const ordered_json& ends, double one) {
   return ends[0].is_null() ? "no interval" : "95 % interval " + ends_text(ends, one);
->>>>>>> c23fdf213e2b1651b5c6140dcd0b93cd485c34a6
 }
 
 /// The warning of a record that lacks the cycles that do the damage; "" for one that has them.
@@ -122,21 +113,11 @@ ordered_json fatigue_json(const std::vector<const LoadHistory*>& loads, const st
   return out;
 }
 
-<<<<<<< HEAD
-std::string fatigue_text(const ordered_json& fatigue) { return fatigue_text(fatigue, {1.0, ""}); }
-
-std::string fatigue_text(const ordered_json& fatigue, const TableUnit& unit) {
-  std::string text;
-  for (const ordered_json& f : fatigue) {
-    const std::string name = unit.name.empty() ? "" : ' ' + unit.name;
-    text += fmt::format("  equivalent load      {:.6g}{}   ", f["equivalent_load"].get<double>() / unit.one, name);
-=======
 std::string fatigue_text(const ordered_json& fatigue, const TableUnit& unit) {
   std::string text;
   for (const ordered_json& f : fatigue) {
     text += fmt::format("  equivalent load      {:.6g}{}{}   ", f["equivalent_load"].get<double>() / unit.one,
                         unit.name.empty() ? "" : " ", unit.name);
->>>>>>> c23fdf213e2b1651b5c6140dcd0b93cd485c34a6
     text += interval_text(f["equivalent_load_95"], unit.one);
     text += fmt::format(", exponent {:g}, at {:g} Hz\n", f["exponent"].get<double>(), f["frequency"].get<double>());
     if (f["equivalent_load_95"][0].is_null() && f.contains("stretches"))
