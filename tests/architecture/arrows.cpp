@@ -26,7 +26,7 @@ struct Room {
 const std::map<std::string, Room> kRooms{
     {"core", {"modules/core", {}, {"nettle"}}},
     {"netcdf", {"modules/netcdf", {"core"}, {"netcdf", "hdf5"}}},
-    {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
+    {"geometry", {"geometry", {"core"}, {"CGAL", "GMP", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
     {"meta_model", {"failure/meta_model", {"core", "plate"}, {"Eigen", "json"}}},
     {"failure", {"failure/criterion", {"core", "model", "plate", "meta_model"}, {}}},
@@ -92,6 +92,7 @@ const std::string kConversions = "geometry/include/brash/geometry/cgal.hpp";
 /// How the include line of each third-party library begins.
 const std::map<std::string, std::regex> kLibraries{
     {"CGAL", std::regex("^CGAL/")},
+    {"GMP", std::regex("^gmp")},
     {"Eigen", std::regex("^Eigen/")},
     {"gsl", std::regex("^gsl/")},
     {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},

@@ -157,6 +157,37 @@ time.sleep(0.5)
 """)
             self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_threads_without_memory_raise(self):
+        # All limits and calls: tests/experiments/python_limits.py
+        for megabytes in (24, 32, 36, 41, 44, 48):
+            done = self.script(f"""
+import resource, threading, brash
+case = brash.Case.from_file({str(CONE)!r}, {{"time.duration": 1.5, "failure.model": "wedge", "output.statistics_from": 0}})
+ends = []
+def call():
+    try:
+        brash.Simulation(case).step(50)
+        ends.append("done")
+    except MemoryError:
+        ends.append("MemoryError")
+    except Exception as error:
+        ends.append("MemoryError" if "memory" in str(error) else repr(error))
+threads = [threading.Thread(target=call) for _ in range(3)]
+now = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (now + ({megabytes} << 20),) * 2)
+try:
+    for thread in threads:
+        thread.start()
+except RuntimeError:  # Python itself finds no place for a thread
+    pass
+for thread in threads:
+    if thread.ident:
+        thread.join()
+print(*sorted(set(ends)))
+""")
+            self.assertEqual(done.returncode, 0, f"{megabytes} MB: {done.stderr}")
+            self.assertLessEqual(set(done.stdout.split()), {"done", "MemoryError"}, f"{megabytes} MB: {done.stdout}")
+
     def test_ctrl_c_ends_long_calls(self):
         plan = self.path / "plan.toml"
         plan.write_text(f'[campaign]\ncase = "{CONE}"\nreplicates = 2\n[set]\ntime.duration = 1000\n')

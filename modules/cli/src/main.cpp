@@ -12,6 +12,7 @@
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
+#include "brash/geometry/memory.hpp"
 #include "campaign_commands.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
@@ -72,6 +73,7 @@ std::string version_text() {
 /// Exit codes: 0 done, 1 failed while running, 2 bad input, 3 interrupted and resumable.
 int main(int argc, char** argv) {
   brash::cli::secure_streams();
+  brash::geometry::throw_where_memory_is_short();
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
   app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);  // a word that is not a subcommand is then named

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/thread_variables.hpp"
 
 namespace brash {
 namespace {
@@ -152,6 +153,7 @@ class Workers::Team {
   }
 
   void serve(int worker) {
+    if (!make_thread_variables()) return;  // the others take its share
     for (std::uint32_t seen = 0; !ended_.load(std::memory_order_acquire);) {
       for (int looks = 0; looks < kLooks && number_.load(std::memory_order_acquire) == seen; ++looks) pause();
       if (number_.load(std::memory_order_acquire) == seen) sleep(seen);

@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 
 #include "brash/core/version.hpp"
+#include "brash/geometry/memory.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
 
@@ -27,6 +28,7 @@ void refuse_half_made_objects(const pybind11::module_& m) {
 PYBIND11_MODULE(_brash, m) {
   using namespace brash::python;
   namespace py = pybind11;
+  brash::geometry::throw_where_memory_is_short();
   m.doc() = "How a structure breaks level ice. SI units and radians throughout; x along the structure's track.";
   m.attr("__version__") = brash::kVersion;
   // Later registrations are tried first.
