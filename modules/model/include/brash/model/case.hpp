@@ -119,8 +119,6 @@ struct FailureSection {
   bool under_floes = true;   ///< the sheet also breaks where floes press on it
   bool joint_loads = true;   ///< all loads on the sheet act together
   std::array<int, 2> wedges{3, 5};
-  int arc_sides = 16;           ///< chords of a full breaking circle
-  int max_substeps = 8;         ///< when an input exceeds the model's range, or the ice breaks within a step
   double lateness = 0.2;        ///< longest time between two solutions of a contact's sheet [s]; 0: in every step
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
   EdgeMotion edge = EdgeMotion::kDynamic;
@@ -143,9 +141,8 @@ struct ContactSection {
   CrushingBound crushing_bound = CrushingBound::kAll;
   double margin = 0.005;
   int iterations = 30;
-  double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
-  bool delete_crushed = true;
-  FloeStress floe_stress = FloeStress::kAveraged;  ///< that deletes them
+  double stiffness = 1.0e6;                        ///< K of Eq. 11 [N/m]
+  FloeStress floe_stress = FloeStress::kAveraged;  ///< that crushes a floe
 
   friend bool operator==(const ContactSection&, const ContactSection&) = default;
 };
