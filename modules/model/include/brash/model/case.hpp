@@ -226,6 +226,20 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 };
 
+/// Correlation length of what varies in ice of this thickness, where the case gives none (0) [m].
+inline double correlation_length(double given, double thickness) {
+  constexpr double kThicknesses = 10.0;
+  return given > 0.0 ? given : kThicknesses * thickness;
+}
+/// Of thickness and strength [m].
+inline double correlation_length(const IceSection& ice) {
+  return correlation_length(ice.variation.correlation_length, ice.thickness);
+}
+/// Of the first edge [m].
+inline double edge_correlation_length(const Case& c) {
+  return correlation_length(c.field.edge_correlation_length, c.ice.thickness);
+}
+
 /// Velocity of the water past the ice at rest, structure and waves aside: `water.current`, and with it the water that
 /// stays with the structure [m/s].
 inline Vec2 current_past_ice(const Case& c) {
