@@ -13,7 +13,7 @@ SCHEMA = json.loads((Path(__file__).resolve().parents[2] / "modules/io/case.sche
 GRAVITY = 9.81
 # Keys that would make a case long, or that the draw sets as a whole.
 NOT_ALONE = {"structure.facets", "field.origin", "failure.file", "output.frames_per_second", "output.statistics_from",
-             "output.checkpoint_interval", "failure.arc_sides", "contact.iterations", "failure.max_substeps"}
+             "output.checkpoint_interval", "contact.iterations"}
 # Sections whose keys are optional and independent enough to be drawn one by one.
 OPTIONAL = ("ice", "ice.variation", "water", "wind", "failure", "contact", "hydrodynamics", "time", "random", "reference")
 

@@ -290,7 +290,7 @@ void add_poisson_warning(const model::Case& c, Warnings& warnings) {
 void add_variation_warnings(const Setup& setup, Warnings& warnings) {
   const model::IceSection& ice = setup.resolved.ice;
   if (!ice::varies(ice)) return;
-  const double length = ice::correlation_length(ice), least = kEvenOver * setup.scales.characteristic_length;
+  const double length = model::correlation_length(ice), least = kEvenOver * setup.scales.characteristic_length;
   if (length < least)
     warnings.push_back(
         {"short-correlation",

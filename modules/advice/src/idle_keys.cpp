@@ -106,10 +106,6 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
   look_at_hull(c, keys);
   look_at_random(c, usual, keys);
   const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
-  keys.look_at("failure.max_substeps", c.failure.max_substeps, usual.failure.max_substeps,
-               takes.file || takes.knows_field,
-               "failure.model = \"network\", \"deep-network\" or \"superposition\", which have a range, or "
-               "\"plate-outline\"");
   keys.look_at("failure.small_contact", c.failure.small_contact, usual.failure.small_contact, takes.file,
                "failure.model = \"network\", \"deep-network\" or \"superposition\"");
   keys.look_at("failure.lateness", c.failure.lateness, 0.0, takes.knows_field, "failure.model = \"plate-outline\"");

@@ -68,7 +68,7 @@ void add_deletion_warning(const geometry::Ledger& ledger, Warnings& warnings) {
        fmt::format(
            "{:.0f} % of the ice that broke off is no longer there: {:.3g} m2 left with crushed floes, and {:.3g} m2 "
            "became brash. It loads the structure no more, so loads may be too low; compare with "
-           "contact.delete_crushed = false, or lower failure.smallest_floe",
+           "contact.floe_stress = \"averaged\" and crushing_bound = \"all\", or lower failure.smallest_floe",
            100.0 * (deleted + brash) / broken, deleted, brash)});
 }
 

@@ -19,10 +19,12 @@ void add_crack_to_edge(const geometry::ContactRegion& contact, std::vector<geome
   if (to_edge.from != to_edge.to) cracks.push_back(to_edge);
 }
 
+/// Chords of a full breaking circle. Few keep floes convex; with 16 the disc is 2.6 % too small.
+constexpr int kArcSides = 16;
+
 class Circumferential : public CrackPattern {
  public:
-  explicit Circumferential(const model::FailureSection& section)
-      : wedges_(section.wedges), arc_sides_(section.arc_sides) {}
+  explicit Circumferential(const model::FailureSection& section) : wedges_(section.wedges) {}
 
   CrackPlan plan(const Plate& plate, const geometry::ContactRegion& contact, const failure::Assessment& assessment,
                  statistics::RandomStream& random) const override {
@@ -33,15 +35,12 @@ class Circumferential : public CrackPattern {
   /// The breaking length starts at the tip.
   CrackPlan disc(const Plate& plate, const geometry::ContactRegion& contact, double radius, int n_wedges) const {
     const Vec2 tip = tip_of(contact);
-    CrackPlan plan{geometry::circumferential(plate.sheet(), tip, radius, n_wedges, arc_sides_), tip, radius, n_wedges};
+    CrackPlan plan{geometry::circumferential(plate.sheet(), tip, radius, n_wedges, kArcSides), tip, radius, n_wedges};
     add_crack_to_edge(contact, plan.cracked.cracks);
     return plan;
   }
 
   std::array<int, 2> wedges_;
-
- private:
-  int arc_sides_;
 };
 
 class AlongStress final : public Circumferential {

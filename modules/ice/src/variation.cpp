@@ -14,8 +14,6 @@ namespace {
 /// (docs/theory/ice.md).
 constexpr int kRings = 16;
 constexpr int kAngles = 16;
-/// Where the case gives no correlation length, in thicknesses.
-constexpr double kUsualLength = 10.0;
 /// Corners of the first edge in a correlation length. Its chords miss the edge by less than a hundredth of its
 /// deviation.
 constexpr double kCornersInLength = 8.0;
@@ -61,16 +59,6 @@ bool varies(const model::IceSection& ice) {
   return ice.variation.thickness > 0.0 || ice.variation.flexural_strength > 0.0;
 }
 
-double correlation_length(const model::IceSection& ice) {
-  const double length = ice.variation.correlation_length;
-  return length > 0.0 ? length : kUsualLength * ice.thickness;
-}
-
-double edge_correlation_length(const model::Case& c) {
-  const double length = c.field.edge_correlation_length;
-  return length > 0.0 ? length : kUsualLength * c.ice.thickness;
-}
-
 double Variation::LogNormal::at(Vec2 place) const {
   return std::exp(deviation * field.at(place) - 0.5 * deviation * deviation);
 }
@@ -78,17 +66,17 @@ double Variation::LogNormal::at(Vec2 place) const {
 std::optional<Variation::LogNormal> Variation::field(const model::Case& resolved, double coefficient,
                                                      const char* purpose) {
   if (coefficient == 0.0) return std::nullopt;
-  return LogNormal{
-      GaussianField(correlation_length(resolved.ice), {resolved.random.seed, resolved.random.replicate, purpose}),
-      std::sqrt(std::log1p(coefficient * coefficient))};
+  return LogNormal{GaussianField(model::correlation_length(resolved.ice),
+                                 {resolved.random.seed, resolved.random.replicate, purpose}),
+                   std::sqrt(std::log1p(coefficient * coefficient))};
 }
 
 Variation::Variation(const model::Case& resolved)
-    : length_(correlation_length(resolved.ice)),
+    : length_(model::correlation_length(resolved.ice)),
       thickness_(field(resolved, resolved.ice.variation.thickness, "thickness")),
       flexural_strength_(field(resolved, resolved.ice.variation.flexural_strength, "flexural_strength")) {
   if (resolved.field.edge_roughness == 0.0) return;
-  const double length = edge_correlation_length(resolved);
+  const double length = model::edge_correlation_length(resolved);
   edge_ = RoughEdge{GaussianField(length, {resolved.random.seed, resolved.random.replicate, "first_edge"}),
                     resolved.field.edge_roughness, length / kCornersInLength};
 }

@@ -24,7 +24,7 @@ void check_extent(const model::Case& c, Checks& checks) {
 
 /// The first edge is drawn for the rectangle alone, and in a number of corners that can be cut.
 void check_edge(const model::Case& c, Checks& checks) {
-  const double roughness = c.field.edge_roughness, length = c.field.edge_correlation_length;
+  const double roughness = c.field.edge_roughness;
   if (roughness == 0.0) return;
   checks.require(c.field.file.empty(), {"field", "edge_roughness"}, {"field", "file"},
                  "cannot be combined with field.file, whose outlines have their own edge", "one of the two",
@@ -32,7 +32,7 @@ void check_edge(const model::Case& c, Checks& checks) {
   checks.require(roughness <= 0.1 * c.field.length, {"field", "edge_roughness"}, {"field", "length"},
                  "is more than a tenth of the sheet's length", fmt::format("at most {} m", 0.1 * c.field.length),
                  "lower it, or lengthen the sheet");
-  const double least = 1e-3 * c.field.width, used = length > 0.0 ? length : 10.0 * c.ice.thickness;
+  const double least = 1e-3 * c.field.width, used = model::edge_correlation_length(c);
   checks.require(used >= least, {"field", "edge_correlation_length"}, {"field", "width"},
                  fmt::format("{} m are less than a thousandth of the sheet's width", used),
                  fmt::format("at least {} m", least), "raise it, or narrow the sheet");

@@ -95,6 +95,11 @@ std::string Schema::successor(const std::string& section, const std::string& key
   return part.contains("x-renamed") ? part.at("x-renamed").value(key, "") : "";
 }
 
+std::string Schema::fixed_value(const std::string& section, const std::string& key) const {
+  const OrderedJson& part = sections().at(section);
+  return part.contains("x-fixed") ? part.at("x-fixed").value(key, "") : "";
+}
+
 bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
 
 bool Schema::requires_key(const std::string& section, const std::string& key, const std::string& kind) const {

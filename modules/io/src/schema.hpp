@@ -35,6 +35,8 @@ class Schema {
   static OrderedJson of_kind(const OrderedJson& key_schema, const std::string& kind);
   /// The line that takes the place of a key with this name in earlier versions; "" without one.
   std::string successor(const std::string& section, const std::string& key) const;
+  /// The value that a key with this name of earlier versions has in all cases now; "" without one.
+  std::string fixed_value(const std::string& section, const std::string& key) const;
   /// Whether a key has a default under a preset.
   static bool has_default(const OrderedJson& key_schema, const std::string& preset);
   /// The default of a key under a preset, one that it has.

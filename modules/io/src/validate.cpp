@@ -132,6 +132,11 @@ class Reader {
       problem.nearest = "";
       problem.remedy = fmt::format("write {} in its place, or remove it", successor);
     }
+    if (const std::string value = schema_.fixed_value(section, name); !value.empty()) {
+      problem.what = "is no longer a key";
+      problem.nearest = "";
+      problem.remedy = fmt::format("remove it: the program has {} in all cases", value);
+    }
     if (problem.place.override_text.empty() && key.source().begin.line > 0) {
       problem.place.line = static_cast<int>(key.source().begin.line);
       problem.place.column = static_cast<int>(key.source().begin.column);

@@ -99,7 +99,9 @@ void expect_on_the_plane(const State& s, const Laws& laws) {
 }
 
 std::vector<EdgeContact> move_within_limits(State& s, const Laws& laws, double done, double& share, Step& step) {
-  const double dt = laws.resolved.time.step, shortest = 1.0 / laws.resolved.failure.max_substeps;
+  // Parts of a step in which an input leaves the model's range or the outlined sheet breaks; the paper gives no limit.
+  constexpr double shortest = 1.0 / 8.0;
+  const double dt = laws.resolved.time.step;
   const auto time_after = [&](double part) { return s.time(laws) + (done + part) * dt; };
   const auto contacts_after = [&](double part) {
     return contacts_at(s, laws, s.motion->after(part), part * dt, time_after(part));

@@ -129,7 +129,6 @@ void average_contacts(State& s, const Laws& laws, Step& step) {
 
 void remove_crushed_floes(State& s, const Laws& laws, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.loads);
-  if (!laws.resolved.contact.delete_crushed) return;
   for (const BodyId body : overstressed(s.world, s.floes, laws.resolved.ice.compressive_strength)) {
     const Floe floe = take_out(s, body);
     s.watchdog.remove(body, floe.weight);

@@ -56,7 +56,7 @@ DerivedScales scales_of(const model::Case& c, const failure::IceProperties& ice,
   scales.draft = -freeboard(c).bottom;
   const double given = c.field.initial_crack_radius;
   scales.initial_crack_radius = given > 0.0 ? given : crack_radius(c, ice, criterion, slope);
-  if (ice::varies(c.ice)) scales.correlation_length = ice::correlation_length(c.ice);
+  if (ice::varies(c.ice)) scales.correlation_length = model::correlation_length(c.ice);
   const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
   scales.collision_time = collision_time(c, c.ice.density * ice.thickness * piece);
   return scales;

@@ -252,7 +252,6 @@ BOOST_AUTO_TEST_CASE(a_key_that_needs_another_is_warned_of_without_it) {
       {"water.bed_friction", "0.5", {"water.depth=5"}},
       {"wind.density", "1.2", {"wind.velocity=[5,0]"}},
       {"wind.skin_friction", "0.002", {"wind.velocity=[5,0]"}},
-      {"failure.max_substeps", "4", {"failure.model=superposition"}},
       {"failure.lateness", "0.1", {"failure.model=plate-outline"}},
       {"structure.motion.thrust_arm", "[1,0,0]", {"structure.motion.thrust=[1e5,0,0]"}},
   };

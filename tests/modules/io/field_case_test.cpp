@@ -93,6 +93,7 @@ BOOST_AUTO_TEST_CASE(one_key_names_the_borders_of_each_kind_of_field) {
   refuses(field_of_floes(kSizes), more("field.border=open"), "is not a known name");
   // The key of an earlier version names its successor.
   refuses(field_of_floes(kSizes), more("field.walls=true"), "write border = \"walls\" in its place");
+  refuses(kLeastCase, {"failure.max_substeps=4"}, "remove it: the program has 8 in all cases");
   refuses(kLeastCase, {"contact.stiffness=1e7"}, "write collision_stiffness in its place");
 }
 

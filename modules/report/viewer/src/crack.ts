@@ -50,12 +50,15 @@ export function crackOf(run: Run, event: number): Crack {
   });
   const [x, y, reach] = ["tip_x", "tip_y", "l_break"].map((name) => run.column(`event.${name}`)[event]);
   // The circle is a polygon, on whose sides the crack ends.
-  const inner = reach * Math.cos(Math.PI / run.input("failure", "arc_sides"));
+  const inner = reach * Math.cos(Math.PI / kArcSides);
   crack.isCircle = crack.circumferential.length > 0 && crack.circumferential.flat().map(([u, v]) => Math.hypot(u - x, v - y))
     .every((distance) => distance > inner - kTolerance && distance < reach + kTolerance);
   crack.hasTrapezoid = run.column("event.b")[event] > 0 || run.inputs.failure?.pattern?.value !== "stress";
   return crack;
 }
+
+/** Chords of a full breaking circle, as in modules/ice/src/crack_pattern.cpp. */
+const kArcSides = 16;
 
 /** The segments of a large outline that can touch the pieces. */
 function nearby(all: Segment[], pieces: Segment[]): Segment[] {

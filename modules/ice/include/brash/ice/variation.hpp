@@ -83,9 +83,5 @@ class Variation {
 
 /// Whether thickness or strength vary.
 bool varies(const model::IceSection& ice);
-/// The correlation length of fields that vary [m].
-double correlation_length(const model::IceSection& ice);
-/// The correlation length of the first edge [m].
-double edge_correlation_length(const model::Case& c);
 
 }  // namespace brash::ice

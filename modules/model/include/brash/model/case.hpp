@@ -119,8 +119,6 @@ struct FailureSection {
   bool under_floes = true;   ///< the sheet also breaks where floes press on it
   bool joint_loads = true;   ///< all loads on the sheet act together
   std::array<int, 2> wedges{3, 5};
-  int arc_sides = 16;           ///< chords of a full breaking circle
-  int max_substeps = 8;         ///< when an input exceeds the model's range, or the ice breaks within a step
   double lateness = 0.2;        ///< longest time between two solutions of a contact's sheet [s]; 0: in every step
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
   EdgeMotion edge = EdgeMotion::kDynamic;
@@ -143,9 +141,8 @@ struct ContactSection {
   CrushingBound crushing_bound = CrushingBound::kAll;
   double margin = 0.005;
   int iterations = 30;
-  double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
-  bool delete_crushed = true;
-  FloeStress floe_stress = FloeStress::kAveraged;  ///< that deletes them
+  double stiffness = 1.0e6;                        ///< K of Eq. 11 [N/m]
+  FloeStress floe_stress = FloeStress::kAveraged;  ///< that crushes a floe
 
   friend bool operator==(const ContactSection&, const ContactSection&) = default;
 };
@@ -228,6 +225,20 @@ struct Case {
 
   friend bool operator==(const Case&, const Case&) = default;
 };
+
+/// Correlation length of what varies in ice of this thickness, where the case gives none (0) [m].
+inline double correlation_length(double given, double thickness) {
+  constexpr double kThicknesses = 10.0;
+  return given > 0.0 ? given : kThicknesses * thickness;
+}
+/// Of thickness and strength [m].
+inline double correlation_length(const IceSection& ice) {
+  return correlation_length(ice.variation.correlation_length, ice.thickness);
+}
+/// Of the first edge [m].
+inline double edge_correlation_length(const Case& c) {
+  return correlation_length(c.field.edge_correlation_length, c.ice.thickness);
+}
 
 /// Velocity of the water past the ice at rest, structure and waves aside: `water.current`, and with it the water that
 /// stays with the structure [m/s].

@@ -220,8 +220,6 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "crushed_ice", c.failure.crushed_ice);
   visit("failure", "pieces", c.failure.pieces);
   visit("failure", "wedges", c.failure.wedges);
-  visit("failure", "arc_sides", c.failure.arc_sides);
-  visit("failure", "max_substeps", c.failure.max_substeps);
   visit("failure", "lateness", c.failure.lateness);
   visit("failure", "smallest_floe", c.failure.smallest_floe);
   visit("contact", "engine", c.contact.engine);
@@ -231,7 +229,6 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
   visit("contact", "collision_stiffness", c.contact.stiffness);
-  visit("contact", "delete_crushed", c.contact.delete_crushed);
   visit("contact", "floe_stress", c.contact.floe_stress);
   visit("hydrodynamics", "drag", c.hydrodynamics.drag);
   visit("hydrodynamics", "shading", c.hydrodynamics.shading);
