@@ -9,7 +9,8 @@ soak.py steps BRASH CASE FOLDER [N [SECONDS]]    N [200] generated cases of SECO
                                                  ends a legal run, and no edge takes more work than
                                                  the structure does on it
 soak.py cases BRASH CASE FOLDER [N [FIRST]]      N [10] cases drawn from the schema, from seed FIRST [1] on: they run to their
-                                                 end with finite numbers, a closed ledger and a closed balance of energy,
+                                                 end with finite numbers, a closed ledger and a closed balance of energy, if
+                                 need be with the shorter step that a watchdog's message names,
                                                  and a run that is interrupted or killed and resumed leaves the same bytes
 soak.py illegal BRASH CASE FOLDER [N [FIRST]]    N [100] drawn cases with one fault each: the message names file, key, value,
                                                  allowed values and remedy
@@ -233,13 +234,18 @@ def engine_of(run):
     return tomllib.loads(manifest["case"]["toml"])["contact"]["engine"]
 
 
-def run_fault(brash, file, folder, seed):
-    """The fault of the run of a case, or of its continuation after an early end, or ""."""
+def run_fault(brash, file, folder, seed, shorter=()):
+    """The fault of the run of a case, or of its continuation after an early end, or "". A watchdog may end a run of long
+    steps: then the step that its message names is taken, up to three times."""
     whole, parted = folder / "whole", folder / "parted"
-    run = [brash, "run", file, "--threads", "1", "-o"]
+    run = [brash, "run", file, "--threads", "1", *(f"--set=time.step={step}" for step in shorter[-1:]), "-o"]
     begun = time.monotonic()
     done = subprocess.run([*run, whole], capture_output=True, text=True, check=False, timeout=900)
     seconds = time.monotonic() - begun
+    remedy = re.search(r"with a shorter step, such as --set time\.step=(\S+)", done.stderr)
+    if done.returncode == 1 and remedy and len(shorter) < 3:
+        shutil.rmtree(whole)
+        return run_fault(brash, file, folder, seed, (*shorter, remedy.group(1)))
     if done.returncode != 0:
         return f"exit status {done.returncode}: {done.stderr.strip()}"
     if fault := physics_fault(whole):

@@ -9,7 +9,7 @@
 namespace brash {
 
 bool make_thread_variables() noexcept {
-  // The variables take 33 kB, nearly all of them in CGAL. What is freed here is there for them.
+  // The variables take 33 kB, nearly all of them in CGAL. The room freed here is for them.
   constexpr std::size_t kRoom = std::size_t{96} << 10;
   void* volatile const room = std::malloc(kRoom);
   if (room == nullptr) return false;

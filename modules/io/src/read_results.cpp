@@ -147,6 +147,7 @@ model::RunResults read_results(const std::string& path) {
 
 model::RunResults read_results(const std::string& path, const ResultPieces& pieces) {
   const NetcdfReader file(path);
+  file.length("time");  // a file of something else, or with an absurd size, is refused at once
   Check check(file);
   const ResultPieces checked{.loads =
                                  [&](std::vector<model::LoadRow>&& rows, std::size_t n) {

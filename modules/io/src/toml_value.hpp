@@ -22,7 +22,7 @@ struct ValueError {
 /// A TOML value as JSON, quantities in the unit of `key_schema`.
 tl::expected<nlohmann::json, ValueError> json_value(const toml::node& node, const OrderedJson& key_schema);
 
-/// Says what is wrong with a value that `key_schema` refuses.
+/// The fault of a value that `key_schema` refuses.
 /// @param value  in SI.
 Problem wrong_value(const CaseSource& source, const std::string& section, const std::string& key,
                     const OrderedJson& key_schema, const nlohmann::json& value);

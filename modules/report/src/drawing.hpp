@@ -13,7 +13,7 @@ class Drawing {
  public:
   /// @param corner        upper left one, on the page [pixels].
   /// @param scale         pixels in a metre.
-  /// @param lower, upper  what is drawn [m].
+  /// @param lower, upper  corners of the drawn plan [m].
   Drawing(Vec2 corner, double scale, Vec2 lower, Vec2 upper)
       : corner_(corner), scale_(scale), lower_(lower), upper_(upper) {}
 

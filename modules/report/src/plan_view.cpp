@@ -64,7 +64,7 @@ void draw_floes(const model::Case& resolved, const model::RunResults& results, D
   }
 }
 
-/// @param lower  corner of what is drawn [m].
+/// @param lower  corner of the drawing [m].
 void draw_scale_bar(Vec2 lower, Drawing& drawing) {
   const Vec2 from = drawing.on_page(lower + Vec2{1.0, 0.8});
   drawing.add(fmt::format(

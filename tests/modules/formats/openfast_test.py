@@ -158,7 +158,8 @@ class OpenFast(unittest.TestCase):
         # The documented command: its files have the names of the diff, its load lasts as long as TMax.
         words = re.search(r"^brash export openfast (\S+) (.*--reference.*)$", page, re.MULTILINE)[2].split()
         self.assertEqual(words[words.index("--reference") + 1], "10")
-        duration = float(re.search(r"^duration = (\S+)$", page, re.MULTILINE)[1])
+        case = (SOURCE / "experiments/turbine/turbine.toml").read_text(encoding="utf-8")
+        duration = float(re.search(r"^duration = (\S+)$", case, re.MULTILINE)[1])
         self.assertEqual(float(values["TMax"]), duration - float(words[words.index("--from") + 1]))
         words[words.index("--from") + 1], words[words.index("--ramp") + 1] = "0.5", "0.2"  # of this test's short run
         words[words.index("-o") + 1] = str(self.folder / "monopile")
