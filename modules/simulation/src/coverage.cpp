@@ -114,7 +114,7 @@ CoveredShares Coverage::by(const rigid_body::World& world, const FloePopulation&
       for (const std::size_t i : cell.places) {
         const Vec3 ahead = places_[i].ahead, apart = ahead - centre;
         if (is_covered[i] || std::abs(dot(apart, upwards)) > half || dot(apart, apart) > size * size) continue;
-        is_covered[i] = is_in(prism, to_body(pose, to_world(structure, ahead)));
+        if (is_in(prism, to_body(pose, to_world(structure, ahead)))) is_covered[i] = 1;
       }
     }
   }
