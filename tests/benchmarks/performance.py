@@ -298,7 +298,7 @@ INTRODUCTION = """# Performance
 *How fast is the program, beside which programs, and what limits it?*
 
 "A / B" is the time of A over the time of B, both from one run on one machine. Times are user CPU times, unless a row says
-otherwise. A value is the median of at least 5 samples, with their range.
+otherwise. A value is the median of at least 5 samples, with their range, or one run.
 """
 
 NOTES = """![Speed-up over threads, where their time goes, and a step on 8 and on 16 threads](figures/schedule.svg)
