@@ -32,17 +32,6 @@ ordered_json interval(const statistics::Interval& i) { return {i.lower, i.upper}
 
 constexpr std::size_t kFewestReplicates = 3;  // whose spread gives an error
 
-/// A number of each history, as the summary of independent values.
-Summary over_replicates(const Samples& values) {
-  const statistics::Moments m = statistics::moments(values);
-  Summary s;
-  s.n = m.n;
-  s.mean = m.mean;
-  s.standard_deviation = std::sqrt(m.variance);
-  s.effective_sample_size = static_cast<double>(m.n);
-  return s;
-}
-
 /// The summary of the squared deviations of a load from `mean`.
 Summary squares_of(const LoadHistory& load, double mean) {
   LoadHistory squared = load;
@@ -294,6 +283,16 @@ std::string growth_text(const ordered_json& c) {
 }
 
 }  // namespace
+
+Summary over_replicates(const std::vector<double>& values) {
+  const statistics::Moments m = statistics::moments(values);
+  Summary s;
+  s.n = m.n;
+  s.mean = m.mean;
+  s.standard_deviation = std::sqrt(m.variance);
+  s.effective_sample_size = static_cast<double>(m.n);
+  return s;
+}
 
 LoadHistory joined(const std::vector<LoadHistory>& loads) {
   if (loads.size() == 1) return loads.front();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "brash/analysis/history_comparison.hpp"
 #include "brash/analysis/history_statistics.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
@@ -45,17 +46,6 @@ double shortest(const std::vector<LoadHistory>& loads, double speed) {
   return least;
 }
 
-/// Independent values as a summary.
-Summary of_values(const std::vector<double>& values) {
-  const statistics::Moments m = statistics::moments(values);
-  Summary s;
-  s.n = m.n;
-  s.mean = m.mean;
-  s.standard_deviation = std::sqrt(m.variance);
-  s.effective_sample_size = static_cast<double>(m.n);
-  return s;
-}
-
 /// The ratio of the means of two halves, as the summary of samples with the relative errors of both.
 std::optional<Summary> growth_of(const LoadHistory& load, double half) {
   const auto first = summary_between(load, 0.0, half), second = summary_between(load, half, 2.0 * half);
@@ -80,7 +70,7 @@ std::optional<Summary> growth_of(const std::vector<LoadHistory>& loads, double h
     if (!last) return std::nullopt;
     values.push_back(last->mean);
   }
-  return loads.size() == 1 ? last : of_values(values);
+  return loads.size() == 1 ? last : over_replicates(values);
 }
 
 /// Mean and interval of each window of a side; null where a history has too few samples, as in a gap.

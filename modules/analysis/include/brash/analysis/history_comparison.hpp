@@ -8,6 +8,7 @@
 
 #include "brash/analysis/history_growth.hpp"
 #include "brash/analysis/load_history.hpp"
+#include "brash/statistics/summary.hpp"
 
 namespace brash::analysis {
 
@@ -23,6 +24,9 @@ nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHisto
 /// so their spread gives the errors, not the correlation within one history.
 nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::vector<LoadHistory>& measured,
                                          const IceSpeeds& speeds = {});
+
+/// A number of each history, as the summary of independent values.
+statistics::Summary over_replicates(const std::vector<double>& values);
 
 /// Histories one after another with gaps between them.
 /// @throws InputError when their units differ.
