@@ -96,7 +96,7 @@ class Reader {
 
   void read_key(const std::string& section, const std::string& name, const toml::key& key, const toml::node& node) {
     if (!schema_.keys(section).contains(name)) {
-      problems_.push_back(unknown_key(section, name, key, node));
+      if (!changes_nothing(section, name, node)) problems_.push_back(unknown_key(section, name, key, node));
       return;
     }
     const OrderedJson& key_schema = schema_.keys(section).at(name);
@@ -107,6 +107,17 @@ class Reader {
     else
       problems_.push_back({place_of(source_, section, name), section + "." + name, value_text(node), value.error().what,
                            allowed_values(key_schema), "", value.error().remedy});
+  }
+
+  /// Whether a key of earlier versions has the value that every case has without it. The cases in results of earlier
+  /// versions hold all their keys.
+  bool changes_nothing(const std::string& section, const std::string& name, const toml::node& node) const {
+    if (const std::string fixed = schema_.fixed_value(section, name); !fixed.empty()) return value_text(node) == fixed;
+    const std::string successor = schema_.successor(section, name);
+    if (!schema_.keys(section).contains(successor)) return false;
+    const OrderedJson& key_schema = schema_.keys(section).at(successor);
+    const tl::expected<Json, ValueError> value = json_value(node, key_schema);
+    return value && key_schema.contains("default") && *value == Json(key_schema.at("default"));
   }
 
   Problem unknown_key(const std::string& section, const std::string& name, const toml::key& key,
