@@ -2,6 +2,7 @@
 #include "coverage.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 
@@ -14,6 +15,8 @@ constexpr double kPieces = 1000.0;
 constexpr double kCell = 1.0;
 /// Share of a length by which rounding may move a place from one side of a floe's face to the other, amply.
 constexpr double kRounding = 1e-9;
+/// Floes that a worker takes at a time: most are far from the hull.
+constexpr std::size_t kFloesAboutHull = 16;
 
 struct Triangle {
   Vec3 a, b, c;
@@ -92,34 +95,41 @@ void Coverage::gather_cells(double side) {
     cells_.push_back({side * (Vec3{cube[0], cube[1], cube[2]} + Vec3{0.5, 0.5, 0.5}), radius, std::move(places)});
 }
 
+// A place is marked once or more, by any worker.
+void Coverage::mark_under(const Prism& prism, const Pose& pose, const Pose& structure, std::vector<char>& marks) const {
+  const double size = radius(prism);
+  const Vec3 centre = to_body(structure, pose.position);
+  if (norm(centre) > reach_ + size) return;
+  const Vec3 upwards = rotate(conjugate(structure.rotation), rotate(pose.rotation, {0.0, 0.0, 1.0}));
+  const double half = 0.5 * prism.thickness + kRounding * (reach_ + size);
+  const auto x = [](const Cell& cell) { return cell.centre.x; };
+  const double far = size + cells_.front().radius;
+  for (auto at = std::ranges::lower_bound(cells_, centre.x - far, {}, x);
+       at != cells_.end() && x(*at) <= centre.x + far; ++at) {
+    const Cell& cell = *at;
+    const Vec3 to_cell = cell.centre - centre;
+    if (std::abs(dot(to_cell, upwards)) > half + cell.radius || dot(to_cell, to_cell) > far * far) continue;
+    for (const std::size_t i : cell.places) {
+      const std::atomic_ref mark(marks[i]);
+      const Vec3 ahead = places_[i].ahead, apart = ahead - centre;
+      if (mark.load(std::memory_order_relaxed) || std::abs(dot(apart, upwards)) > half ||
+          dot(apart, apart) > size * size)
+        continue;
+      if (is_in(prism, to_body(pose, to_world(structure, ahead)))) mark.store(1, std::memory_order_relaxed);
+    }
+  }
+}
+
 CoveredShares Coverage::by(const rigid_body::World& world, const FloePopulation& floes, const Pose& structure) const {
   CoveredShares covered{};
   if (places_.empty()) return covered;
-  std::vector<char> is_covered(places_.size());
-  for (const BodyId body : world.floes()) {
-    const Pose pose = world.pose(body);
-    const Prism& prism = floes.at(body).prism;
-    const double size = radius(prism);
-    const Vec3 centre = to_body(structure, pose.position);
-    if (norm(centre) > reach_ + size) continue;
-    const Vec3 upwards = rotate(conjugate(structure.rotation), rotate(pose.rotation, {0.0, 0.0, 1.0}));
-    const double half = 0.5 * prism.thickness + kRounding * (reach_ + size);
-    const auto x = [](const Cell& cell) { return cell.centre.x; };
-    const double far = size + cells_.front().radius;
-    for (auto at = std::ranges::lower_bound(cells_, centre.x - far, {}, x);
-         at != cells_.end() && x(*at) <= centre.x + far; ++at) {
-      const Cell& cell = *at;
-      const Vec3 to_cell = cell.centre - centre;
-      if (std::abs(dot(to_cell, upwards)) > half + cell.radius || dot(to_cell, to_cell) > far * far) continue;
-      for (const std::size_t i : cell.places) {
-        const Vec3 ahead = places_[i].ahead, apart = ahead - centre;
-        if (is_covered[i] || std::abs(dot(apart, upwards)) > half || dot(apart, apart) > size * size) continue;
-        if (is_in(prism, to_body(pose, to_world(structure, ahead)))) is_covered[i] = 1;
-      }
-    }
-  }
+  std::vector<char> marks(places_.size());
+  const std::vector<BodyId> bodies = world.floes();
+  world.workers().each(bodies.size(), kFloesAboutHull, [&](std::size_t i) {
+    mark_under(floes.at(bodies[i]).prism, world.pose(bodies[i]), structure, marks);
+  });
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (is_covered[i]) covered[places_[i].region] += places_[i].area;
+    if (marks[i]) covered[places_[i].region] += places_[i].area;
   for (std::size_t region = 0; region < covered.size(); ++region)
     if (area_[region] > 0.0) covered[region] /= area_[region];
   return covered;

@@ -42,6 +42,7 @@ class Coverage {
     std::vector<std::size_t> places;
   };
   void gather_cells(double side);
+  void mark_under(const Prism& prism, const Pose& pose, const Pose& structure, std::vector<char>& marks) const;
 
   std::vector<Place> places_;
   std::vector<Cell> cells_;  ///< from stern to bow

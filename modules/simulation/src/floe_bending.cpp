@@ -11,6 +11,7 @@ namespace {
 /// Means below this stress are forgotten [Pa]. It is small beside the strength of any ice, and saves the decay of loads
 /// long gone.
 constexpr double kNoStress = 1.0;
+constexpr std::size_t kBentFloes = 16;  ///< that a worker takes at a time
 
 /// The load in a section in a checkpoint.
 struct SavedLoad {
@@ -60,6 +61,14 @@ void FloeBending::Bent::approach(std::span<const PointForce> forces, double shar
   }
 }
 
+/// With the means of all sections, however the thrust acts [Pa].
+double FloeBending::Bent::largest_tension() const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    largest = std::max(largest, sections.tension(i, {mean[i].moment, std::abs(mean[i].thrust)}));
+  return largest;
+}
+
 void FloeBending::average(const rigid_body::World& world, const FloePopulation& floes,
                           const std::vector<const rigid_body::ContactLoad*>& contacts, double dt) {
   const auto forces = forces_on_floes(world, contacts);
@@ -69,20 +78,19 @@ void FloeBending::average(const rigid_body::World& world, const FloePopulation& 
     if (const std::size_t n = sections.all().size(); n > 0)
       floes_.emplace(body, Bent{std::move(sections), std::vector<SectionLoad>(n)});
   }
-  for (auto entry = floes_.begin(); entry != floes_.end();) {
-    const auto here = entry++;
-    auto& [body, bent] = *here;
-    const bool awake = !world.is_settled(body);
-    double largest = 0.0;
-    if (awake) {
-      const auto now = forces.find(body);
-      const double share = averaging_share(floes.at(body), dt);
-      bent.approach(now == forces.end() ? std::span<const PointForce>() : now->second, share);
-      for (std::size_t i = 0; i < bent.mean.size(); ++i)
-        largest = std::max(largest, bent.sections.tension(i, {bent.mean[i].moment, std::abs(bent.mean[i].thrust)}));
-    }
-    if (largest < kNoStress) floes_.erase(here);
-  }
+  std::vector<std::pair<const BodyId, Bent>*> all;
+  for (auto& entry : floes_) all.push_back(&entry);
+  std::vector<double> largest(all.size());  // tension [Pa]
+  world.workers().each(all.size(), kBentFloes, [&](std::size_t i) {
+    auto& [body, bent] = *all[i];
+    if (world.is_settled(body)) return;
+    const auto now = forces.find(body);
+    bent.approach(now == forces.end() ? std::span<const PointForce>() : now->second,
+                  averaging_share(floes.at(body), dt));
+    largest[i] = bent.largest_tension();
+  });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (largest[i] < kNoStress) floes_.erase(all[i]->first);
 }
 
 std::vector<Fracture> FloeBending::fractures(const FloePopulation& floes) const {

@@ -43,6 +43,7 @@ class FloeBending {
     std::vector<SectionLoad> mean;  ///< of each section
 
     void approach(std::span<const PointForce> forces, double share);
+    double largest_tension() const;
   };
 
   std::map<BodyId, Bent> floes_;  ///< those with contacts now or not long ago
