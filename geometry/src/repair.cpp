@@ -55,7 +55,7 @@ std::vector<Ring> corners_of(std::span<const Polygon> polygons) {
   };
   for (const Polygon& polygon : polygons) {
     add(polygon.outline);
-    std::ranges::for_each(polygon.holes, add);
+    for (const Ring& hole : polygon.holes) add(hole);
   }
   return rings;
 }

@@ -108,8 +108,8 @@ class Elimination {
       needed[p] = fronts_[p].size_of_left();
       if (part.left >= 0) needed[p] += std::max(needed[at(part.left)], needed[at(part.right)]);
     }
-    factor_ = std::make_unique_for_overwrite<double[]>(factor);
-    workspace_ = std::make_unique_for_overwrite<double[]>(needed.empty() ? 0 : needed.back());
+    factor_.reset(new double[factor]);  // not set to 0
+    workspace_.reset(new double[needed.empty() ? 0 : needed.back()]);
   }
 
   /// Replaces the load by the solution.

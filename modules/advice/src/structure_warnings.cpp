@@ -221,7 +221,7 @@ void add_turn_warning(const model::Motion& motion, Warnings& warnings) {
     const double turn = b.heading - a.heading;
     return std::abs(turn) > kPi && std::abs(std::remainder(turn, 2.0 * kPi)) > kThroughNorth;
   };
-  const auto row = std::ranges::adjacent_find(towed->path, turns);
+  const auto row = std::adjacent_find(towed->path.begin(), towed->path.end(), turns);
   if (row == towed->path.end()) {
     add_heading_warning(towed->path, warnings);
     return;

@@ -28,6 +28,7 @@ endfunction()
 # exact numbers are those of Boost.Multiprecision.
 header_library(CGAL::CGAL)
 target_compile_definitions(CGAL::CGAL INTERFACE CGAL_ALWAYS_ROUND_TO_NEAREST CGAL_DISABLE_ROUNDING_MATH_CHECK)
+add_library(gmp INTERFACE)
 header_library(Eigen3::Eigen ${headers}/eigen3)
 header_library(fmt::fmt)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)

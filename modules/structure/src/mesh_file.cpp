@@ -79,7 +79,7 @@ bool has_ply_header(const std::string& bytes) {
 std::string plain_obj(const std::string& bytes) {
   std::string text, line;
   const auto keep_line = [&] {
-    std::ranges::replace(line, '\t', ' ');
+    std::replace(line.begin(), line.end(), '\t', ' ');
     if (!line.starts_with("l ") && !line.starts_with('#')) text += line + '\n';
     line.clear();
   };
