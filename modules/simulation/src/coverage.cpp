@@ -2,7 +2,6 @@
 #include "coverage.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 
@@ -95,7 +94,6 @@ void Coverage::gather_cells(double side) {
     cells_.push_back({side * (Vec3{cube[0], cube[1], cube[2]} + Vec3{0.5, 0.5, 0.5}), radius, std::move(places)});
 }
 
-// A place is marked once or more, by any worker.
 void Coverage::mark_under(const Prism& prism, const Pose& pose, const Pose& structure, std::vector<char>& marks) const {
   const double size = radius(prism);
   const Vec3 centre = to_body(structure, pose.position);
@@ -110,12 +108,9 @@ void Coverage::mark_under(const Prism& prism, const Pose& pose, const Pose& stru
     const Vec3 to_cell = cell.centre - centre;
     if (std::abs(dot(to_cell, upwards)) > half + cell.radius || dot(to_cell, to_cell) > far * far) continue;
     for (const std::size_t i : cell.places) {
-      const std::atomic_ref mark(marks[i]);
       const Vec3 ahead = places_[i].ahead, apart = ahead - centre;
-      if (mark.load(std::memory_order_relaxed) || std::abs(dot(apart, upwards)) > half ||
-          dot(apart, apart) > size * size)
-        continue;
-      if (is_in(prism, to_body(pose, to_world(structure, ahead)))) mark.store(1, std::memory_order_relaxed);
+      if (marks[i] || std::abs(dot(apart, upwards)) > half || dot(apart, apart) > size * size) continue;
+      if (is_in(prism, to_body(pose, to_world(structure, ahead)))) marks[i] = 1;
     }
   }
 }
@@ -123,13 +118,16 @@ void Coverage::mark_under(const Prism& prism, const Pose& pose, const Pose& stru
 CoveredShares Coverage::by(const rigid_body::World& world, const FloePopulation& floes, const Pose& structure) const {
   CoveredShares covered{};
   if (places_.empty()) return covered;
-  std::vector<char> marks(places_.size());
+  std::vector<std::vector<char>> marks(static_cast<std::size_t>(world.workers().count()));  // of each worker
+  for (std::vector<char>& own : marks) own.resize(places_.size());
   const std::vector<BodyId> bodies = world.floes();
-  world.workers().each(bodies.size(), kFloesAboutHull, [&](std::size_t i) {
-    mark_under(floes.at(bodies[i]).prism, world.pose(bodies[i]), structure, marks);
+  world.workers().chunks(bodies.size(), kFloesAboutHull, [&](std::size_t begin, std::size_t end, int worker) {
+    for (std::size_t i = begin; i < end; ++i)
+      mark_under(floes.at(bodies[i]).prism, world.pose(bodies[i]), structure, marks[static_cast<std::size_t>(worker)]);
   });
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (marks[i]) covered[places_[i].region] += places_[i].area;
+    if (std::ranges::any_of(marks, [i](const std::vector<char>& own) { return own[i] != 0; }))
+      covered[places_[i].region] += places_[i].area;
   for (std::size_t region = 0; region < covered.size(); ++region)
     if (area_[region] > 0.0) covered[region] /= area_[region];
   return covered;
