@@ -12,7 +12,6 @@
 
 #include "brash/core/constants.hpp"
 #include "edge_contact.hpp"
-#include "initial_crack.hpp"
 
 namespace brash::simulation {
 
