@@ -25,8 +25,8 @@
 #include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "messages.hpp"
-#include "picture_file.hpp"
 
 namespace brash::cli {
 namespace {

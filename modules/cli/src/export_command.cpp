@@ -16,8 +16,8 @@
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "fmu.hpp"
-#include "map_file.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {

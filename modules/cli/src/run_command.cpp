@@ -19,7 +19,7 @@
 #include "commands.hpp"
 #include "live_view.hpp"
 #include "messages.hpp"
-#include "progress.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {
