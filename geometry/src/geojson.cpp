@@ -8,7 +8,6 @@
 
 #include "brash/core/byte_order_mark.hpp"
 #include "brash/geometry/text.hpp"
-#include "crs.hpp"
 #include "json_tree.hpp"
 #include "text_ring.hpp"
 

@@ -2,13 +2,22 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "arrangement.hpp"
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/polygon.hpp"
 #include "free_edges.hpp"
-#include "loops.hpp"
 
 namespace brash::geometry {
+
+/// The simple loops that a closed chain with repeated vertices consists of.
+std::vector<Ring> simple_loops(Ring ring);
+
+/// The connected region whose boundary is these chains, the region on their left.
+///
+/// Chains may come through a vertex more than once. Each ring starts at its smallest vertex, and the holes are sorted.
+Polygon polygon_of(const std::vector<Ring>& boundary);
 
 struct IceSheet::Impl {
   FreeEdges boundary;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loops.hpp"
-
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "brash/core/contract.hpp"
+#include "ice_sheet_impl.hpp"
 
 namespace brash::geometry {
 

@@ -91,4 +91,13 @@ tl::expected<Lines, GeometryError> lines_of_wkt(std::string_view text, const Ori
 /// The polygons of a WKT text on `ground`, as sheet. The map has no origin.
 tl::expected<Map, GeometryError> map_of_wkt(std::string_view text, const Ground& ground);
 
+/// Why degrees are refused, with the remedy.
+std::string degrees_refused(std::string_view name);
+
+/// Whether all positions could be longitudes and latitudes of places with sea ice, beyond 40 degrees.
+bool could_be_degrees(const Survey& survey);
+
+/// The JSON object of `text` that begins at `offset`, as it is written.
+std::string_view object_at(std::string_view text, std::size_t offset);
+
 }  // namespace brash::geometry

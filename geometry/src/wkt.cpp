@@ -7,7 +7,6 @@
 
 #include "brash/core/byte_order_mark.hpp"
 #include "brash/geometry/text.hpp"
-#include "crs.hpp"
 #include "text_ring.hpp"
 
 namespace brash::geometry {

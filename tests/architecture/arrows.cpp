@@ -76,7 +76,7 @@ const std::map<std::string, Room> kRooms{
     {"simulator/web", {"modules/simulator/web", {"analysis", "core", "io", "simulator"}, {"json"}}},
     {"python",
      {"modules/python",
-      {"advice", "analysis", "campaign", "core", "failure", "geometry", "io", "model", "recording", "report",
+      {"advice", "analysis", "campaign", "core", "failure", "formats", "geometry", "io", "model", "recording", "report",
        "simulation", "standards", "statistics", "structure"},
       {"pybind11"}}},
     {"cli",

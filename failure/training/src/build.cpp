@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/training/database.hpp"
 #include "chunked_build.hpp"
-#include "store.hpp"
 
 namespace brash::training {
 namespace {

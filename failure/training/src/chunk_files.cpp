@@ -7,7 +7,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/training/database.hpp"
-#include "store.hpp"
+#include "chunked_build.hpp"
 
 namespace brash::training {
 namespace {

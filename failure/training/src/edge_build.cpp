@@ -3,7 +3,6 @@
 
 #include "brash/training/edge_database.hpp"
 #include "chunked_build.hpp"
-#include "store.hpp"
 
 namespace brash::training {
 namespace {

@@ -17,7 +17,7 @@
 #include "brash/failure/edge_responses.hpp"
 #include "brash/training/edge_database.hpp"
 #include "brash/training/make_model.hpp"
-#include "card_files.hpp"
+#include "profile_card.hpp"
 
 namespace brash::training {
 namespace {

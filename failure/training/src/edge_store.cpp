@@ -8,8 +8,8 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "chunked_build.hpp"
 #include "netcdf_file.hpp"
-#include "store.hpp"
 
 namespace brash::training {
 namespace {

@@ -11,7 +11,6 @@
 #include "brash/core/sha256.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/training/database.hpp"
-#include "card_files.hpp"
 #include "profile_card.hpp"
 
 namespace brash::training {

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <utility>
 
 #include "brash/core/constants.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/failure/unit_profiles.hpp"
+#include "brash/training/make_model.hpp"
 #include "brash/training/network_training.hpp"
 
 namespace brash::training {
@@ -215,6 +218,22 @@ ModelCard hump_card(const TrainedHumps& trained, const std::vector<JudgedRow>& r
     made += fmt::format("| {} | {} | {:.3g} | {:.3g} |\n", fit.name, fit.iterations, fit.training_loss,
                         fit.validation_loss);
   return {.text = text + errors_in_words(rows, facts) + kMustNotAsNetwork + made, .errors = error_table(rows)};
+}
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string card_file(const std::string& model) {
+  return std::filesystem::path(model).replace_extension(".md").string();
+}
+
+std::string errors_file(const std::string& model) {
+  return std::filesystem::path(model).replace_extension("").string() + "_errors.csv";
+}
+
+std::string write_card(const std::string& model, const ModelCard& card) {
+  if (!card.errors.empty()) write_file(errors_file(model), card.errors);
+  write_file(card_file(model), card.text);
+  return card_file(model);
 }
 
 }  // namespace brash::training

@@ -9,9 +9,20 @@
 #include "brash/plate/plate.hpp"
 #include "brash/training/database.hpp"
 #include "brash/training/hump_training.hpp"
-#include "card_files.hpp"
 
 namespace brash::training {
+
+/// The name of a file without its folders.
+std::string file_name(const std::string& path);
+
+/// A model card and the errors that it summarises.
+struct ModelCard {
+  std::string text;    ///< Markdown
+  std::string errors;  ///< CSV, or empty
+};
+
+/// Writes card and errors beside the model `model`; the card's path.
+std::string write_card(const std::string& model, const ModelCard& card);
 
 /// One row that the model has not seen, and its errors.
 struct JudgedRow {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The database file. One table a shape says name, unit and meaning of each variable and where it lives in a record;
 // writing and reading walk the same tables.
-#include "store.hpp"
-
 #include <fmt/format.h>
 #include <netcdf.h>
 
@@ -16,6 +14,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "chunked_build.hpp"
 #include "netcdf_file.hpp"
 
 namespace brash::training {

@@ -113,7 +113,7 @@ void add_wall_warning(const model::Case& c, const Course& course, Warnings& warn
 void add_field_warnings(const Setup& setup, Warnings& warnings) {
   const model::Case& c = setup.resolved;
   const Course& course = setup.course;
-  if (c.field.kind == model::FieldKind::kLevelIce) {
+  if (model::has_level_ice(c.field)) {
     add_reach_warning(c, course, warnings);
     if (course.meets || course.end <= 0.0) add_border_warnings(c, course, setup.scales, warnings);
   } else if (simulation::goes_as_told(c.structure.motion)) {
@@ -127,9 +127,8 @@ namespace {
 /// Whether the structure goes through ice that is held from x = 0 on, at its own speed.
 bool comes_at_its_speed(const model::Case& c) {
   const model::Motion& motion = c.structure.motion;
-  return !std::holds_alternative<model::Free>(motion) && model::speed(motion) > 0.0 &&
-         c.field.kind == model::FieldKind::kLevelIce && !model::has_ice_files(c.field) &&
-         c.field.border == model::Border::kFixed;
+  return !std::holds_alternative<model::Free>(motion) && model::speed(motion) > 0.0 && model::has_level_ice(c.field) &&
+         !model::has_ice_files(c.field) && c.field.border == model::Border::kFixed;
 }
 
 /// A structure that is slower rests [m/s].

@@ -144,7 +144,7 @@ std::optional<Drive> drive_of(const Setup& setup) {
 void add_spring_warning(const Setup& setup, Warnings& warnings) {
   const model::Case& c = setup.resolved;
   const auto drive = drive_of(setup);
-  if (!drive || c.field.kind != model::FieldKind::kLevelIce) return;
+  if (!drive || !model::has_level_ice(c.field)) return;
   const double speed = model::speed(c.structure.motion), way = speed * c.time.duration;
   const double pull = drive->stiffness * way + drive->pull;
   const double needed = c.ice.flexural_strength * c.ice.thickness * c.ice.thickness;

@@ -131,26 +131,20 @@ struct Side {
 
 ordered_json side_json(const Side& side) {
   const Summary& s = side.load;
-  const ordered_json mean_95 = side.histories > 1 ? interval(side.of_replicates) : interval_of_mean(s);
   ordered_json out{{"column", side.all.column},
                    {"unit", side.all.unit.empty() ? ordered_json() : ordered_json(side.all.unit)},
                    {"histories", side.histories},
                    {"from", side.all.history.times.front()},
                    {"duration", side.all.even.duration},
                    {"n", s.n},
-                   {"gaps", side.all.even.sampling.gaps.size() + 1 - side.histories},
-                   {"mean", side.mean.mean},
-                   {"mean_95", mean_95},
-                   {"standard_deviation", s.standard_deviation},
-                   {"quantile_1", s.quantile_1},
-                   {"quantile_99", s.quantile_99},
-                   {"minimum", s.minimum},
-                   {"maximum", s.maximum},
-                   {"autocorrelation_time", s.autocorrelation_time},
-                   {"effective_sample_size", s.effective_sample_size},
-                   {"long_enough", s.long_enough},
-                   {"peaks", side.peaks.size()},
-                   {"peaks_per_second", side.peaks_per_second()}};
+                   {"gaps", side.all.even.sampling.gaps.size() + 1 - side.histories}};
+  add_summary(s, out);
+  if (side.histories > 1) {
+    out["mean"] = side.mean.mean;
+    out["mean_95"] = interval(side.of_replicates);
+  }
+  out["peaks"] = side.peaks.size();
+  out["peaks_per_second"] = side.peaks_per_second();
   add_origin(side.all.origin, out);
   return out;
 }

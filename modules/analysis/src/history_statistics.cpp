@@ -145,6 +145,15 @@ ordered_json interval_of_mean(const statistics::Summary& summary) {
   return interval(summary.mean_95);
 }
 
+void add_summary(const statistics::Summary& summary, ordered_json& out) {
+  statistics::Summary::visit([&](const statistics::Statistic& of, auto member) {
+    if constexpr (std::is_same_v<decltype(member), statistics::Interval statistics::Summary::*>)
+      out[of.name] = interval_of_mean(summary);
+    else
+      out[of.name] = summary.*member;
+  });
+}
+
 bool acts_downwards(const statistics::Summary& s) { return statistics::acts_downwards(s.mean, s.minimum, s.maximum); }
 
 std::string short_note(const char* name, const ordered_json& side) {
@@ -176,12 +185,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"n", s.n},
                    {"duration", load.even.duration},
                    {"sampling", sampling_json(load)}};
-  statistics::Summary::visit([&](const statistics::Statistic& of, auto member) {
-    if constexpr (std::is_same_v<decltype(member), statistics::Interval statistics::Summary::*>)
-      out[of.name] = interval_of_mean(s);
-    else
-      out[of.name] = s.*member;
-  });
+  add_summary(s, out);
   add_origin(load.origin, out);
   out["warnings"] = ordered_json::array();
   if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "campaign_commands.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,7 +30,7 @@
 #include "brash/report/report.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "progress.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {

@@ -25,8 +25,8 @@
 #include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "messages.hpp"
-#include "picture_file.hpp"
 
 namespace brash::cli {
 namespace {
@@ -53,7 +53,7 @@ void add_scales(const model::Case& resolved, const simulation::DerivedScales& sc
   rows.add("mu1 straight ahead", "{:.4g}", scales.mu1);
   rows.add("freeboard, draught", "{:.4g} m, {:.4g} m", scales.freeboard, scales.draft);
   rows.add("T_col of a piece l_c x l_c / 4", "{:.4g} s", scales.collision_time);
-  if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
+  if (model::has_level_ice(resolved.field) && resolved.field.initial_crack)
     rows.add("initial crack radius", "{:.4g} m", scales.initial_crack_radius);
   if (scales.correlation_length > 0.0) rows.add("correlation length of the ice", "{:.4g} m", scales.correlation_length);
 }

@@ -18,8 +18,8 @@
 #include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "messages.hpp"
-#include "picture_file.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {

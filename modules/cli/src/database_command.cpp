@@ -19,7 +19,7 @@
 #include "brash/training/edge_database.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "progress.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "brash/io/results.hpp"
 #include "brash/report/pictures.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "messages.hpp"
-#include "picture_file.hpp"
 
 namespace brash::cli {
 namespace {

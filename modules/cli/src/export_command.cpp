@@ -9,39 +9,18 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
-#include "brash/core/write_file.hpp"
-#include "brash/formats/gltf.hpp"
+#include "brash/formats/exports.hpp"
 #include "brash/formats/maps.hpp"
-#include "brash/formats/vtk.hpp"
 #include "brash/io/file_names.hpp"
-#include "brash/io/results.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "fmu.hpp"
-#include "map_file.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-void export_vtk(const std::string& run_file, const std::string& directory) {
-  const formats::Replay run = formats::read_replay(run_file);
-  const auto write = [&](const std::string& name, const std::string& bytes) {
-    write_file((fs::path(directory) / name).string(), bytes);
-  };
-  const std::string collection = (fs::path(directory) / "run.pvd").string();
-  write_file(collection, formats::to_vtk_series(run, write));
-  print("{} frames in {}\n", run.results.frames.size(), collection);
-}
-
-void export_gltf(const std::string& run_file, const std::string& file) {
-  refuse_overwriting(file, {run_file});
-  io::check_ending(file, "a replay in binary glTF", {".glb"});
-  const formats::Replay run = formats::read_replay(run_file);
-  write_file(file, formats::to_glb(run));
-  print("{} frames in {}\n", run.results.frames.size(), file);
-}
 
 void export_map(const std::string& run_file, const std::string& file, double time, const std::string& crs) {
   formats::check_map_name(file);
@@ -64,18 +43,19 @@ std::string or_beside(const std::string& run_file, const std::string& given, con
   return given.empty() ? (fs::path(run_file).parent_path() / name).string() : given;
 }
 
-void add_gltf_command(CLI::App& command) {
+void add_run_export(CLI::App& command, const formats::Export& format) {
   struct Options {
-    std::string run, file;
+    std::string run, output;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* gltf = command.add_subcommand("gltf", "The replay for any 3-D viewer (glTF 2.0, .glb)");
-  gltf->add_option("run", options->run, "folder of a run, or its run.nc")->required();
-  gltf->add_option("-o,--output", options->file, "file of the replay [run.glb beside the run.nc]");
-  gltf->footer("Example: brash export gltf results/cone -o cone.glb");
-  gltf->callback([options] {
-    const std::string run = run_file(options->run);
-    export_gltf(run, or_beside(run, options->file, "run.glb"));
+  CLI::App* added = command.add_subcommand(format.name, format.meaning);
+  added->add_option("run", options->run, "folder of a run, or its run.nc")->required();
+  added->add_option("-o,--output", options->output,
+                    fmt::format("{} [{} beside the run.nc]", format.output, format.beside));
+  added->footer(fmt::format("Example: brash export {} results/cone -o {}", format.name, format.example));
+  added->callback([options, &format] {
+    const formats::Exported done = formats::export_run(format, options->run, options->output);
+    print("{} frames in {}\n", done.n_frames, done.file);
   });
 }
 
@@ -127,24 +107,11 @@ void add_fmu_command(CLI::App& command) {
 }  // namespace
 
 void add_export_command(CLI::App& app) {
-  struct Options {
-    std::string run;
-    std::string directory;
-  };
-  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a run for other programs");
   command->require_subcommand(1);
   command->footer("Example: brash export vtk results/cone");
-  CLI::App* vtk = command->add_subcommand("vtk", "A time series for ParaView: run.pvd with .vtp files");
-  vtk->add_option("run", options->run, "folder of a run, or its run.nc")->required();
-  vtk->add_option("-o,--output", options->directory, "folder of the files [vtk beside the run.nc]");
-  vtk->footer("Example: brash export vtk results/cone -o cone_vtk");
-  vtk->callback([options] {
-    const std::string run = run_file(options->run);
-    export_vtk(run, or_beside(run, options->directory, "vtk"));
-  });
+  for (const formats::Export& format : formats::exports()) add_run_export(*command, format);
   add_openfast_command(*command);
-  add_gltf_command(*command);
   add_map_command(*command);
   add_fmu_command(*command);
 }

@@ -21,7 +21,7 @@
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
-#include "map_file.hpp"
+#include "files.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {

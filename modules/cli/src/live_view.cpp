@@ -8,7 +8,7 @@
 
 #include "brash/recording/recording.hpp"
 #include "brash/simulation/initial_floes.hpp"
-#include "progress.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {

@@ -13,9 +13,9 @@
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "brash/geometry/memory.hpp"
-#include "campaign_commands.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "runs.hpp"
 #include "usage_error.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include "brash/io/file_names.hpp"
 #include "brash/report/pictures.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "messages.hpp"
-#include "picture_file.hpp"
 
 namespace brash::cli {
 namespace {

@@ -24,7 +24,7 @@
 #include "brash/report/report.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
-#include "progress.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {

@@ -15,9 +15,9 @@
 #include "brash/io/case.hpp"
 #include "brash/io/run_summary.hpp"
 #include "brash/report/pictures.hpp"
-#include "campaign_commands.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {

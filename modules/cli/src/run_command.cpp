@@ -19,7 +19,7 @@
 #include "commands.hpp"
 #include "live_view.hpp"
 #include "messages.hpp"
-#include "progress.hpp"
+#include "runs.hpp"
 
 namespace brash::cli {
 namespace {
@@ -49,7 +49,8 @@ void run_case(const RunOptions& options) {
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const recording::Inputs inputs = recording::read_inputs(options.case_file, overrides);
   const model::Case& resolved = inputs.resolved;
-  say_warnings(advice::warnings_of(resolved));
+  const auto setup = std::make_shared<const simulation::Setup>(resolved);
+  say_warnings(advice::warnings_of(*setup));
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = recording::open_run_folder(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
@@ -57,7 +58,8 @@ void run_case(const RunOptions& options) {
   if (!goes_on && !options.replace) recording::refuse_replacing(directory, ", or take --replace");
   if (options.resume && !goes_on) say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   const recording::NewResults results(directory);
-  simulation::RunOptions how{.begun =
+  simulation::RunOptions how{.setup = setup,
+                             .begun =
                                  [&] {
                                    recording::expect_unchanged(inputs);
                                    results.begin();

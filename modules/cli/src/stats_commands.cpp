@@ -21,8 +21,8 @@
 #include "brash/report/pictures.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "messages.hpp"
-#include "picture_file.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {

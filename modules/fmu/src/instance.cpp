@@ -14,7 +14,6 @@
 #include "brash/core/input_file.hpp"
 #include "brash/failure/model_files.hpp"
 #include "brash/model/case_keys.hpp"
-#include "brash/structure/attitude.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 

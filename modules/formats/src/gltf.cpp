@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/formats/gltf.hpp"
-
+// A replay as a binary glTF 2.0 file: structure, floes, level ice and water, with one animation. Lengths are in metres.
+// Floes appear and vanish, and the sheet changes, at the frames of the run.
+// glTF 2.0 specification, Khronos Group, 2021.
 #include <fmt/format.h>
 
 #include <array>
@@ -8,6 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "brash/core/write_file.hpp"
+#include "brash/formats/exports.hpp"
 #include "brash/formats/vtk.hpp"
 #include "gltf_file.hpp"
 
@@ -163,6 +166,18 @@ class Scene {
 
 }  // namespace
 
-std::string to_glb(const Replay& run) { return Scene(run).bytes(); }
+Export gltf_export() {
+  return {.name = "gltf",
+          .meaning = "The replay for any 3-D viewer (glTF 2.0, .glb)",
+          .output = "file of the replay",
+          .beside = "run.glb",
+          .example = "cone.glb",
+          .ending = ".glb",
+          .kind = "a replay in binary glTF",
+          .write = [](const Replay& run, const std::string& file) {
+            write_file(file, Scene(run).bytes());
+            return file;
+          }};
+}
 
 }  // namespace brash::formats

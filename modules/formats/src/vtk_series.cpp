@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <map>
 
+#include "brash/core/write_file.hpp"
+#include "brash/formats/exports.hpp"
 #include "brash/formats/vtk.hpp"
 
 namespace brash::formats {
@@ -35,8 +38,9 @@ PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
   return data;
 }
 
-}  // namespace
-
+/// Calls `write(name, bytes)` for each file of a run's time series: floes, level ice and structure at each frame. A
+/// run without level ice has no files of it.
+/// @return the collection of these files.
 std::string to_vtk_series(const Replay& run,
                           const std::function<void(const std::string& name, const std::string& bytes)>& write) {
   std::map<std::int64_t, const model::FloeRecord*> records;
@@ -58,6 +62,28 @@ std::string to_vtk_series(const Replay& run,
     ++number;
   }
   return to_pvd(steps);
+}
+
+}  // namespace
+
+Export vtk_series_export() {
+  return {.name = "vtk",
+          .meaning = "A time series for ParaView: run.pvd with .vtp files",
+          .output = "folder of the files",
+          .beside = "vtk",
+          .example = "cone_vtk",
+          .ending = "",
+          .kind = "",
+          .write = [](const Replay& run, const std::string& folder) {
+            const auto path_of = [&](const std::string& name) {
+              return (std::filesystem::path(folder) / name).string();
+            };
+            const std::string collection = path_of("run.pvd");
+            write_file(collection, to_vtk_series(run, [&](const std::string& name, const std::string& bytes) {
+                         write_file(path_of(name), bytes);
+                       }));
+            return collection;
+          }};
 }
 
 }  // namespace brash::formats

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shade.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,6 +6,8 @@
 #include <memory_resource>
 #include <utility>
 #include <vector>
+
+#include "surface_drag.hpp"
 
 namespace brash::hydrodynamics {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "lanes.hpp"
-#include "shade.hpp"
 #include "wetted_faces.hpp"
 
 namespace brash::hydrodynamics {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "convex.hpp"
-
 #include <algorithm>
+
+#include "random_placement.hpp"
 
 namespace brash::ice {
 namespace {

@@ -29,7 +29,7 @@ double to_end_of_plane(Vec2 from, Vec2 towards) {
 }
 
 LaidIce laid(const model::FieldSection& section, const failure::IceProperties& ice, const Variation& variation) {
-  return section.kind == model::FieldKind::kLevelIce ? lay_ice(section, ice, variation) : LaidIce{};
+  return model::has_level_ice(section) ? lay_ice(section, ice, variation) : LaidIce{};
 }
 
 /// A plate for each sheet, and an empty one where there is none.

@@ -12,7 +12,6 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/geometry/ice_sheet.hpp"
-#include "convex.hpp"
 #include "floe_sizes.hpp"
 #include "power_cells.hpp"
 #include "random_placement.hpp"

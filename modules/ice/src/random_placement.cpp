@@ -7,7 +7,6 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/interruption.hpp"
-#include "convex.hpp"
 
 namespace brash::ice {
 namespace {

@@ -10,6 +10,14 @@
 
 namespace brash::ice {
 
+/// The convex hull of grid points, counter-clockwise from the smallest, without points on its sides. Exact.
+geometry::Ring convex_hull(std::vector<geometry::Point> points);
+
+/// Whether the interiors of two convex counter-clockwise rings meet. Exact: rings that touch do not overlap.
+///
+/// Two convex polygons are apart if and only if a side of one has the other wholly on its outer side.
+bool overlap(std::span<const geometry::Point> one, std::span<const geometry::Point> other);
+
 /// A rectangle, x from 0 to `length`, |y| <= width/2 [m].
 struct Domain {
   double length = 0.0;

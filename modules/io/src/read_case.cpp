@@ -133,7 +133,7 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
 /// The preset's engine gives way where another key needs the program's own.
 void drop_engine_not_taken(model::Case& c, const CaseSource& source) {
   if (source.tree["contact"]["engine"].node() != nullptr) return;
-  const bool drifts = c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFree;
+  const bool drifts = model::has_level_ice(c.field) && c.field.border == model::Border::kFree;
   const bool by_direction = c.hydrodynamics.added_mass_law == model::AddedMassLaw::kPlate;
   if (drifts || by_direction || c.water.depth || c.contact.restitution > 0.0)
     c.contact.engine = model::ContactEngine::kBrash;

@@ -216,7 +216,7 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
   checks.require(!is_vertical || c.contact.area == model::ContactArea::kSurface, {"contact", "area"},
                  {"structure", "angle"}, "the structure's front is vertical, and its plan has no area", "surface",
                  "write surface, which takes the area of the face itself");
-  if (c.field.kind != model::FieldKind::kLevelIce) return;
+  if (!model::has_level_ice(c.field)) return;
   std::string why = "the structure's front is vertical and bends no ice";
   std::string remedy = remedy_of_vertical_front(c.structure.shape);
   if (!is_vertical) {

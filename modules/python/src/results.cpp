@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "brash/formats/exports.hpp"
 #include "brash/io/file_names.hpp"
 #include "brash/io/results.hpp"
 #include "convert.hpp"
@@ -125,6 +126,18 @@ void add_results(py::module_& m) {
         return io::read_results(io::file_in(name, {"run.nc"}));
       },
       py::arg("path"), "Reads the run.nc of a run, given as a file or by its folder.");
+  m.def(
+      "export_run",
+      [](const py::object& run, const std::string& format, const py::object& output) {
+        const auto path = py::module_::import("os").attr("fspath");
+        const auto from = path(run).cast<std::string>();
+        const auto to = output.is_none() ? std::string() : path(output).cast<std::string>();
+        if (to.empty() && !output.is_none()) throw InputError("output: is an empty name; name a file, or give None");
+        const Released release;
+        return formats::export_run(formats::export_named(format), from, to).file;
+      },
+      py::arg("run"), py::arg("format"), py::arg("output") = py::none(),
+      "Writes a run for another program, as `brash export FORMAT RUN -o OUTPUT` does; the file to open.");
 }
 
 }  // namespace brash::python

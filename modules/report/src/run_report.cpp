@@ -20,7 +20,6 @@
 #include "brash/report/report.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
-#include "drawn_statistics.hpp"
 #include "long_history.hpp"
 #include "page.hpp"
 

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "brash/core/interruption.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "brash/statistics/random.hpp"
-#include "initial_crack.hpp"
 #include "plan.hpp"
 #include "stages.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "brash/structure/hull.hpp"
 #include "plan.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "brash/core/interruption.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "laid_floes.hpp"
 #include "stages.hpp"
 

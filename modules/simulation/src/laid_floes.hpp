@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "brash/core/vec.hpp"
+#include "brash/geometry/polygon.hpp"
 #include "brash/ice/field.hpp"
 #include "brash/model/case.hpp"
+#include "brash/rigid_body/world.hpp"
 #include "brash/structure/hull.hpp"
 
 namespace brash::simulation {
@@ -27,5 +29,14 @@ Vec2 drift_at_start(const model::Case& resolved);
 /// Takes the floes beside the level ice of `field`. A field of floes has some, and ice of files may.
 /// @throws InputError naming files and place when the structure begins in ice of files.
 std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structure::Hull& hull, ice::Field& field);
+
+/// Height of walls and shores above and below the water [m]: floes that pile up stay within it.
+double border_height(const model::Case& resolved);
+
+/// Lays the walls of a field of floes and the shore of any field into `world`: ice to the floes and sheets that meet
+/// them, and nothing to the structure.
+/// @return the box around each.
+/// @throws InputError when the file of the shore cannot be read.
+std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_body::World& world);
 
 }  // namespace brash::simulation

@@ -256,9 +256,12 @@ Progress begin(const model::Case& resolved, const RunOptions& options) {
   }
 }
 
-std::optional<Progress> begin_unless_interrupted(const model::Case& resolved, const RunOptions& options, Watch& watch) {
+/// Makes the setup first, where there is none.
+std::optional<Progress> begin_unless_interrupted(const model::Case& resolved, const RunOptions& options, Watch& watch,
+                                                 std::shared_ptr<const Setup>& setup) {
   try {
     const Watch::Scope watched(watch);
+    if (!setup) setup = std::make_shared<const Setup>(resolved);
     return begin(resolved, options);
   } catch (const Interruption&) {
     return std::nullopt;
@@ -421,7 +424,8 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const Clock::time_point start = Clock::now();
   Watch watch(options);
-  std::optional<Progress> begun = begin_unless_interrupted(resolved, options, watch);
+  finished.setup = options.setup;
+  std::optional<Progress> begun = begin_unless_interrupted(resolved, options, watch, finished.setup);
   if (!begun) return finished;
   Progress& progress = *begun;
   finished.resumed_from = progress.simulation.time();
@@ -431,7 +435,6 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {
-    finished.setup = std::make_shared<const Setup>(resolved);
     progress.counts.summary.window = finished.setup->window;
     RowSummary rows(resolved, progress.counts.summary.window);
     for_each_earlier(options.checkpoint, [&](const model::RunResults& part) { rows.add(part); });

@@ -12,7 +12,6 @@
 
 #include "brash/core/constants.hpp"
 #include "edge_contact.hpp"
-#include "initial_crack.hpp"
 
 namespace brash::simulation {
 
@@ -129,9 +128,7 @@ bool goes_as_told(const model::Motion& motion) {
   return std::holds_alternative<model::Towed>(motion) || std::holds_alternative<model::Compliant>(motion);
 }
 
-bool has_initial_crack(const model::Case& c) {
-  return c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack;
-}
+bool has_initial_crack(const model::Case& c) { return model::has_level_ice(c.field) && c.field.initial_crack; }
 
 double place_of_begin(const model::Case& c, double radius) { return has_initial_crack(c) ? radius : 0.0; }
 
@@ -173,9 +170,8 @@ double whole_steps(const model::Case& c, double n) { return n * c.time.step; }
 
 /// Whether the structure comes out of ice that stays where it is.
 bool leaves_ice(const model::Case& c, const Course& course) {
-  return c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFixed &&
-         goes_as_told(c.structure.motion) && course.meets && course.end > c.field.length &&
-         course.leaves < c.time.duration;
+  return model::has_level_ice(c.field) && c.field.border == model::Border::kFixed && goes_as_told(c.structure.motion) &&
+         course.meets && course.end > c.field.length && course.leaves < c.time.duration;
 }
 
 StatisticsWindow window_of(const model::Case& resolved, const structure::Hull& hull, double initial_crack_radius,

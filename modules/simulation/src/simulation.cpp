@@ -33,7 +33,7 @@ void Simulation::Impl::begin() {
   initial_births = lay_floes(state, laws);
   begin_asleep(state, laws);
   state.energy.book_drift_at_start(state.sheets.kinetic_energy());
-  if (field.kind == model::FieldKind::kLevelIce && field.initial_crack) {
+  if (model::has_level_ice(field) && field.initial_crack) {
     Step step(laws);
     initial_crack(state, laws, step);
     std::ranges::move(step.report.births, std::back_inserter(initial_births));

@@ -3,9 +3,8 @@
 
 #include <limits>
 
-#include "borders.hpp"
 #include "brash/core/error.hpp"
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "laid_floes.hpp"
 #include "stages.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One time step, as Sections 2.1 and 2.2 of the paper have it. docs/theory/simulation.md
 #include "brash/core/interruption.hpp"
-#include "brash/structure/attitude.hpp"
-#include "load_axes.hpp"
+#include "brash/structure/motion.hpp"
+#include "region_loads.hpp"
 #include "stages.hpp"
 
 namespace brash::simulation {

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <variant>
 
-#include "borders.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "laid_floes.hpp"
 
 namespace brash::simulation {
 namespace {

@@ -91,7 +91,7 @@ std::string description(const model::Case& resolved) {
   add("freeboard", scales.freeboard, "m");
   add("draft", scales.draft, "m");
   add("T_col of a piece l_c x l_c / 4", scales.collision_time, "s");
-  if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
+  if (model::has_level_ice(resolved.field) && resolved.field.initial_crack)
     add("initial crack radius", scales.initial_crack_radius, "m");
   if (scales.correlation_length > 0.0) add("correlation length of the ice", scales.correlation_length, "m");
   for (const model::Warning& warning : advice::warnings_of(setup))

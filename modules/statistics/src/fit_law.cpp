@@ -10,7 +10,6 @@
 #include "brash/statistics/laws.hpp"
 #include "gsl_checked.hpp"
 #include "gsl_search.hpp"
-#include "gsl_simplex.hpp"
 #include "samples.hpp"
 
 namespace brash::statistics {

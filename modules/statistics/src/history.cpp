@@ -10,7 +10,6 @@
 #include "brash/core/contract.hpp"
 #include "brash/statistics/quantile.hpp"
 #include "samples.hpp"
-#include "weighted_summary.hpp"
 
 namespace brash::statistics {
 namespace {

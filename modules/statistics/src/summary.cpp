@@ -16,7 +16,6 @@
 #include "brash/statistics/quantile.hpp"
 #include "gsl_checked.hpp"
 #include "samples.hpp"
-#include "weighted_summary.hpp"
 
 namespace brash::statistics {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
+#include "brash/structure/floating_body.hpp"
 #include "brash/structure/hull.hpp"
-#include "fitted_ellipsoids.hpp"
 
 namespace brash::structure {
 namespace {

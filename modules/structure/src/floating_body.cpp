@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "brash/core/error.hpp"
-#include "brash/hydrodynamics/ellipsoid_mass.hpp"
-#include "fitted_ellipsoids.hpp"
+#include "brash/hydrodynamics/added_mass.hpp"
 #include "frustum.hpp"
 
 namespace brash::structure {

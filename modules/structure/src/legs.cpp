@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "brash/core/constants.hpp"
-#include "plan_polygons.hpp"
+#include "mesh_sections.hpp"
 
 namespace brash::structure {
 namespace {

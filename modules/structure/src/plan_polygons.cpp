@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan_polygons.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
+
+#include "mesh_sections.hpp"
 
 namespace brash::structure {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "brash/simulation/scales.hpp"
+#include "brash/simulation/setup.hpp"
 #include "bullet_types.hpp"
 #include "plan.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/analysis/history_statistics.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/statistics/random.hpp"
 
@@ -48,6 +49,16 @@ BOOST_AUTO_TEST_CASE(a_history_does_not_differ_from_itself) {
   BOOST_TEST(c["distribution"]["p"].get<double>() == 1.0);
   BOOST_TEST(c["spectrum"]["outside_95"].get<double>() == 0.0);
   BOOST_TEST(contains(comparison_text(c), "no difference at 5 %"));
+}
+
+BOOST_AUTO_TEST_CASE(each_side_has_every_statistic_of_its_history) {
+  const LoadHistory load = noise(1, 2000, 100.0, 20.0), other = noise(2, 2000, 90.0, 20.0);
+  const auto c = compare_histories(load, other);
+  for (const auto& [side, history] : {std::pair{"run", &load}, {"measured", &other}}) {
+    const auto alone = statistics_of(*history);
+    statistics::Summary::visit(
+        [&, &side = side](const statistics::Statistic& of, auto) { BOOST_TEST(c[side][of.name] == alone[of.name]); });
+  }
 }
 
 BOOST_AUTO_TEST_CASE(two_columns_of_one_file_are_compared_by_their_differences) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/hydrodynamics/ellipsoid_mass.hpp"
-
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
+#include "brash/hydrodynamics/added_mass.hpp"
 
 using namespace brash;
 using hydrodynamics::entrained_by_half;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shade.hpp"
-
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <random>
@@ -8,6 +6,7 @@
 
 #include "brash/core/constants.hpp"
 #include "shapes.hpp"
+#include "surface_drag.hpp"
 
 namespace {
 

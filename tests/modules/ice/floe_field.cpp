@@ -10,10 +10,10 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/geometry/ice_sheet.hpp"
-#include "convex.hpp"
 #include "floe_sizes.hpp"
 #include "oracle.hpp"
 #include "power_cells.hpp"
+#include "random_placement.hpp"
 
 namespace {
 

@@ -171,6 +171,27 @@ class Runs(unittest.TestCase):
         np.testing.assert_array_equal(results.events, self.run_.events)
         self.assertEqual([f.id for f in results.floes], [f.id for f in self.run_.results.floes])
 
+    def test_exports_are_those_of_the_command(self):
+        ours, theirs = self.path / "exported", self.path / "by_the_command"
+        ours.mkdir()
+        shutil.copy(self.path / "run/run.nc", ours)
+        for name, file in (("gltf", "run.glb"), ("vtk", "vtk/run.pvd")):
+            with self.subTest(name):
+                self.assertEqual(pathlib.Path(brash.export_run(ours, name)), ours / file)
+                output = theirs / (file if name == "gltf" else name)
+                subprocess.run([os.environ["BRASH"], "export", name, ours, "-o", output], check=True,
+                               stdout=subprocess.DEVNULL)
+        files = sorted(p.relative_to(theirs) for p in theirs.rglob("*") if p.is_file())
+        self.assertGreater(len(files), 10)
+        for file in files:
+            self.assertEqual((ours / file).read_bytes(), (theirs / file).read_bytes(), file)
+        with self.assertRaisesRegex(brash.InputError, "'obj' is no format(.|\n)*vtk, gltf"):
+            brash.export_run(ours, "obj")
+        with self.assertRaisesRegex(brash.InputError, "is not a name of a replay"):
+            brash.export_run(ours, "gltf", ours / "run.txt")
+        with self.assertRaisesRegex(brash.InputError, "output: is an empty name"):
+            brash.export_run(ours, "gltf", "")
+
     def test_results_open_with_xarray_and_pandas_without_us(self):
         history = xr.open_dataset(self.path / "run/run.nc")
         np.testing.assert_array_equal(history["Fx"], self.run_.loads["Fx"])

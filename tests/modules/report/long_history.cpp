@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "brash/statistics/random.hpp"
-#include "drawn_statistics.hpp"
 
 using namespace brash;
 using namespace brash::report;

@@ -10,10 +10,10 @@
 #include <numbers>
 #include <utility>
 
-#include "borders.hpp"
 #include "brash/io/case.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "brash/simulation/simulation.hpp"
+#include "laid_floes.hpp"
 #include "sheet_tiles.hpp"
 #include "splitting_force.hpp"
 

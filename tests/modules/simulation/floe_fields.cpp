@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "borders.hpp"
 #include "brash/advice/advice.hpp"
 #include "brash/core/error.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/run.hpp"
 #include "floating_floe.hpp"
+#include "laid_floes.hpp"
 #include "pool.hpp"
 
 namespace {

@@ -10,8 +10,8 @@
 #include "brash/core/constants.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
-#include "load_axes.hpp"
 #include "plan.hpp"
+#include "region_loads.hpp"
 
 namespace {
 

@@ -416,6 +416,13 @@ BOOST_AUTO_TEST_CASE(without_anything_near_the_floes_of_the_initial_crack_stay_w
     BOOST_TEST(norm(after.floes[i].pose.position - before.floes[i].pose.position) < 1e-9);
 }
 
+BOOST_AUTO_TEST_CASE(a_run_takes_the_setup_that_was_made_for_its_warnings) {
+  const auto setup = std::make_shared<const simulation::Setup>(short_case());
+  const simulation::Run run = simulation::run(setup->resolved, {.setup = setup});
+  BOOST_TEST((run.setup == setup));
+  BOOST_TEST((bytes_of(run) == bytes_of(simulation::run(setup->resolved))));
+}
+
 BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
   const simulation::DerivedScales scales = simulation::Setup(short_case()).scales;
   BOOST_TEST(scales.characteristic_length == 3.27, boost::test_tools::tolerance(2e-3));  // three digits

@@ -118,4 +118,7 @@ std::string error_table(const TrainingReport& report);
 std::string model_card(const Network& network, const TrainingReport& report, const TrainingOptions& options,
                        const CardContext& context);
 
+/// Errors in the parts of the range that behave differently; parts without rows are left out.
+std::vector<Region> errors_by_region(const Network& network, const std::vector<Sample>& samples);
+
 }  // namespace brash::training

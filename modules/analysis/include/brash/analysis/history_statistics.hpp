@@ -35,6 +35,9 @@ statistics::ExtremeAnalysis extremes_of(const LoadHistory& load, const statistic
 /// The interval of the mean; nulls below ten independent samples, as in summary.json.
 nlohmann::ordered_json interval_of_mean(const statistics::Summary& summary);
 
+/// Adds all of Summary::visit() to `out`, the interval as interval_of_mean().
+void add_summary(const statistics::Summary& summary, nlohmann::ordered_json& out);
+
 /// Whether the larger loads are the lowest ones, as the vertical loads of a cone that bends the ice up are.
 bool acts_downwards(const statistics::Summary& s);
 

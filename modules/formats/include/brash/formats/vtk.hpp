@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,11 +47,5 @@ struct VtkStep {
 
 /// The collection (.pvd) that gives each file its time.
 std::string to_pvd(const std::vector<VtkStep>& steps);
-
-/// Calls `write(name, bytes)` for each file of a run's time series: floes, level ice and structure at each frame. A
-/// run without level ice has no files of it.
-/// @return the collection of these files.
-std::string to_vtk_series(const Replay& run,
-                          const std::function<void(const std::string& name, const std::string& bytes)>& write);
 
 }  // namespace brash::formats

@@ -199,10 +199,13 @@ struct ReferenceSection {
   friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
 };
 
+/// Whether ice in large parts is there at the start, not floes alone.
+inline bool has_level_ice(const FieldSection& field) { return field.kind != FieldKind::kFloes; }
+
 /// Whether files say where the level ice is at the start.
 inline bool has_ice_files(const FieldSection& field) {
   const bool is_plain = field.file.empty() && field.openings.empty() && field.cracks.empty() && field.shore.empty();
-  return field.kind == FieldKind::kLevelIce && !is_plain;
+  return has_level_ice(field) && !is_plain;
 }
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.

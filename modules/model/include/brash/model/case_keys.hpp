@@ -158,7 +158,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
 /// Keys of each kind of field.
 template <typename AnyField, typename Visitor>
 void visit_keys_of_field(AnyField& field, Visitor&& visit) {
-  if (field.kind == FieldKind::kLevelIce) {
+  if (has_level_ice(field)) {
     visit("field", "initial_crack", field.initial_crack);
     visit("field", "initial_crack_radius", field.initial_crack_radius);
     visit("field", "edge_roughness", field.edge_roughness);

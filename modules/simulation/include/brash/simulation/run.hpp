@@ -130,7 +130,7 @@ struct Run {
   model::RunResults results;           ///< without the loads, frames and cracked sheets of `earlier`
   std::vector<std::string> earlier{};  ///< files with these, as of CheckpointStore::earlier, oldest first
   RunSummary summary;
-  std::shared_ptr<const Setup> setup{};      ///< of a complete run
+  std::shared_ptr<const Setup> setup{};      ///< of a run that began
   LoadsSeen loads_seen{StatisticsWindow{}};  ///< of a complete run: all steps, those of `earlier` too
   StageTimes stage_times;
   double wall_seconds = 0.0;
@@ -158,6 +158,8 @@ void add_warning(model::Checkpoint& checkpoint, const model::Warning& warning);
 
 /// Options around the loop of a run.
 struct RunOptions {
+  /// Of the case, where it has been made; a run without one makes it before its first step.
+  std::shared_ptr<const Setup> setup{};
   /// Called once, when the state that the run begins with is there and before its first step.
   std::function<void()> begun{};
   /// Called after every step.

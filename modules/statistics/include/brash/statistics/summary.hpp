@@ -46,7 +46,7 @@ struct Summary {
   bool long_enough = false;
 
   /// Calls `visit(statistic, member)` for each but `n`. This one list serves summary.json, the columns of campaigns and
-  /// their units, `brash stats`, reports and Python.
+  /// their units, `brash stats` and `compare`, reports and Python.
   template <typename Visit>
   static void visit(Visit&& visit) {
     constexpr bool kTurns = true;

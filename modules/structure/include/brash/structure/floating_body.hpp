@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "brash/model/structure.hpp"
 #include "brash/structure/hull.hpp"
 
@@ -26,5 +28,9 @@ Inertia inertia_of(const model::FloatingBody& body, const Hull& hull, double den
 /// The displacement of the hull's mesh. A round cone is its facets here, upright too: buoyancy then changes steadily
 /// with the pose.
 Displacement displaced_by_mesh(const Hull& hull, const Pose& pose);
+
+/// A half ellipsoid for each outline of a hull's waterline, as fitted_ellipsoid() makes one for them all: several
+/// columns of one mesh. They share the displaced volume by their areas, so all are equally deep.
+std::vector<HalfEllipsoid> fitted_ellipsoids(const Hull& hull);
 
 }  // namespace brash::structure

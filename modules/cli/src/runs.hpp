@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "brash/model/case.hpp"
 #include "brash/simulation/run.hpp"
@@ -19,5 +20,17 @@ void catch_requests_to_end();
 
 /// Whether the process was asked to end since.
 bool is_asked_to_end();
+
+/// A plan to run on this machine.
+struct PlanRun {
+  std::string plan_file, directory;
+  std::vector<std::string> overrides;  ///< `section.key=value`
+  int n_jobs = 0;                      ///< cases at once; 0: as many as there are cores
+  bool resume = false;
+};
+
+/// Runs a plan and leaves the tables of its campaign, with progress on stderr.
+/// @throws Interrupted when cases are missing.
+void run_plan(const PlanRun& run);
 
 }  // namespace brash::cli

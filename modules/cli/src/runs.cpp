@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "progress.hpp"
+#include "runs.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
+#include <initializer_list>
 #include <utility>
 
 #include "brash/advice/advice.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
+
 namespace {
 
 /// A line with the time left: on a terminal renewed a few times a second, in a log a new one now and then.
@@ -42,6 +45,9 @@ class ProgressLine {
   std::chrono::steady_clock::time_point shown_ = start_;
 };
 
+volatile std::sig_atomic_t asked = 0;
+void note(int) { asked = 1; }
+
 }  // namespace
 
 simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOptions options) {
@@ -57,5 +63,12 @@ simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOp
   };
   return advice::run(resolved, options);
 }
+
+void catch_requests_to_end() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, note) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+bool is_asked_to_end() { return asked != 0; }
 
 }  // namespace brash::cli
