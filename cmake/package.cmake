@@ -41,7 +41,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "\
 An exact polygon kernel cuts the ice sheet, a model trained on solutions of
 the floating plate says when the ice fails, and rigid floes carry the loads.
 The command, the Python module brash, the trained models, the schema of case
-files, an example and the documents.")
+files, examples and the documents.")
 # The module fits one minor version of Python, as any module of C++ does.
 set(python ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})
 math(EXPR next "${Python_VERSION_MINOR} + 1")
