@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "brash/analysis/design.hpp"
 #include "brash/analysis/history_statistics.hpp"
@@ -47,19 +50,49 @@ std::string level_text(double period, const ordered_json& level, const TableUnit
                      level["records"].get<double>(), end, above ? "  above crushing" : "");
 }
 
-/// Warnings of the levels of a table.
-std::string notes_text(const ordered_json& levels, double most) {
+/// A warning, and where it applies: in these words, or with other numbers.
+struct Repeated {
+  std::string kind, text;
+  std::vector<std::string> same, others;
+};
+using Warnings = std::vector<Repeated>;  // in the order in which they came
+
+/// The id of a warning of runs, "of 3 of 4 runs: short-run: ...", which has each setting's own numbers; of others the
+/// text.
+std::string kind_of(const std::string& warning) {
+  if (!warning.starts_with("of ")) return warning;
+  const std::size_t id = warning.find(": ") + 2;
+  return warning.substr(id, warning.find(": ", id) - id);
+}
+
+void add_warning(const std::string& warning, const std::string& where, Warnings& warnings) {
+  auto found = std::ranges::find(warnings, kind_of(warning), &Repeated::kind);
+  if (found == warnings.end()) found = warnings.insert(found, {kind_of(warning), warning, {}, {}});
+  (found->text == warning ? found->same : found->others).push_back(where);
+}
+
+/// Adds the warnings of the levels of a table.
+void add_level_warnings(const ordered_json& levels, double most, const std::string& where, Warnings& warnings) {
   bool far = false, above = false;
   for (const ordered_json& level : levels) {
     if (!level.contains("level")) continue;
     far = far || level["records"].get<double>() > kMarkedPeriod;
     above = above || level["level"] > most;
   }
-  std::string text;
   if (far)
-    text += fmt::format("  warning: beyond {:g} times the histories a level rests on the law more than on data\n",
-                        kMarkedPeriod);
-  if (above) text += "  warning: above crushing: the ice over the full width crushes at less\n";
+    add_warning(
+        fmt::format("beyond {:g} times the histories a level rests on the law more than on data", kMarkedPeriod), where,
+        warnings);
+  if (above) add_warning("above crushing: the ice over the full width crushes at less", where, warnings);
+}
+
+std::string warnings_text(const Warnings& warnings) {
+  std::string text;
+  for (const Repeated& warning : warnings) {
+    text += fmt::format("warning: {} ({}", warning.text, fmt::join(warning.same, ", "));
+    if (!warning.others.empty()) text += fmt::format("; with other numbers {}", fmt::join(warning.others, ", "));
+    text += ")\n";
+  }
   return text;
 }
 
@@ -81,7 +114,7 @@ std::string convergence_text(const ordered_json& state) {
                      c["converged"].get<bool>() ? "within" : "and should be to", 100.0 * kWidestOfTenMinutes);
 }
 
-std::string state_text(const ordered_json& s, const TableUnit& unit) {
+std::string state_text(const ordered_json& s, const TableUnit& unit, Warnings& warnings) {
   std::string text =
       fmt::format("{}: {} replicates, {:.6g} s, {} load events", s["setting"].get<std::string>(),
                   s["replicates"].get<std::size_t>(), s["duration"].get<double>(), s["load_events"].get<std::size_t>());
@@ -92,13 +125,13 @@ std::string state_text(const ordered_json& s, const TableUnit& unit) {
   const double most = s.contains("full_crushing") ? s["full_crushing"].get<double>() : INFINITY;
   text += heads_text("hours", unit);
   for (const ordered_json& level : s["levels"]) text += level_text(level["hours"].get<double>(), level, unit, most, "");
-  text += notes_text(s["levels"], most);
-  text += convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"], unit);
-  for (const ordered_json& warning : s["warnings"]) text += fmt::format("  warning: {}\n", warning.get<std::string>());
-  return text;
+  const auto name = s["setting"].get<std::string>();
+  add_level_warnings(s["levels"], most, name, warnings);
+  for (const ordered_json& warning : s["warnings"]) add_warning(warning.get<std::string>(), name, warnings);
+  return text + convergence_text(s) + forms_text(s, unit) + fatigue_text(s["fatigue"], unit);
 }
 
-std::string years_text(const ordered_json& design, const TableUnit& unit) {
+std::string years_text(const ordered_json& design, const TableUnit& unit, Warnings& warnings) {
   const ordered_json& annual = design["annual"];
   if (annual.is_object()) return fmt::format("all settings: no level: {}\n", annual["refused"].get<std::string>());
   const double most = design.contains("full_crushing") ? design["full_crushing"]["horizontal"].get<double>() : INFINITY;
@@ -112,7 +145,7 @@ std::string years_text(const ordered_json& design, const TableUnit& unit) {
     text += level_text(level["years"].get<double>(), level, unit, most,
                        largest.empty() ? "" : fmt::format("  {:.0f} % from {}", 100.0 * share, largest));
   }
-  text += notes_text(annual, most);
+  add_level_warnings(annual, most, "return periods", warnings);
   if (design.contains("full_crushing"))
     text += fmt::format("  the ice over the full width crushes at {} {} ({})\n",
                         number_text(design["full_crushing"]["horizontal"].get<double>(), unit), unit.name,
@@ -160,10 +193,11 @@ std::string design_text(const ordered_json& design) {
   const std::string si =
       design["unit"].is_null() ? "" : fmt::format(" [{}]", printable(design["unit"].get<std::string>()));
   std::string text = design["column"].get<std::string>() + si + "\n" + origin_text(design) + tail_text(design);
-  if (design.contains("annual")) text += years_text(design, unit);
+  Warnings warnings;
+  if (design.contains("annual")) text += years_text(design, unit, warnings);
   if (design.contains("fatigue")) text += fatigue_text(design["fatigue"], unit);
-  for (const ordered_json& state : design["settings"]) text += state_text(state, unit);
-  return text;
+  for (const ordered_json& state : design["settings"]) text += state_text(state, unit, warnings);
+  return text + warnings_text(warnings);
 }
 
 }  // namespace brash::analysis
