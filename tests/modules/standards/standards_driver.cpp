@@ -27,7 +27,7 @@ json ralston_json(const json& in) {
   const auto load = ralston(input);
   if (!load) return nullptr;
   return {load->breaking_horizontal, load->ride_horizontal, load->breaking_vertical, load->ride_vertical,
-          load->horizontal, load->vertical, load->radius_ratio};
+          load->horizontal,          load->vertical,        load->radius_ratio};
 }
 
 json lindqvist_json(const json& in) {
