@@ -41,14 +41,16 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "\
 An exact polygon kernel cuts the ice sheet, a model trained on solutions of
 the floating plate says when the ice fails, and rigid floes carry the loads.
 The command, the Python module brash, the trained models, the schema of case
-files, an example and the documents.")
+files, examples and the documents.")
 # The module fits one minor version of Python, as any module of C++ does.
 set(python ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})
 math(EXPR next "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS
   "python3 (>= ${python}), python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "bash-completion, librsvg2-bin, slurm-client, paraview, python3-matplotlib, libbrash-dev")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
+  "bash-completion, librsvg2-bin, slurm-client, paraview, python3-matplotlib, python3-netcdf4, python3-pandas, python3-scipy, \
+python3-xarray, libbrash-dev")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA
   ${CMAKE_CURRENT_LIST_DIR}/debian/postinst ${CMAKE_CURRENT_LIST_DIR}/debian/prerm)
 

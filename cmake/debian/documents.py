@@ -26,8 +26,8 @@ floes are rigid bodies in water; the loads go to statistics. Each command explai
 """
 TAIL = r""".SH FILES
 .TP
-.I /usr/share/brash/examples/cone.toml
-a case to begin with
+.I /usr/share/brash/examples
+the files that the tutorials read in \fIexperiments\fR; \fIvalidation/cone.toml\fR is a case to begin with
 .TP
 .I /usr/share/brash/models
 failure models; \fBBRASH_MODEL_PATH\fR names another folder

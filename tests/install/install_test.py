@@ -37,14 +37,14 @@ class Installed(unittest.TestCase):
         return done.stdout
 
     def test_a_case_runs_with_the_installed_model(self):
-        case = self.prefix / "share/brash/examples/cone.toml"
+        case = self.prefix / "share/brash/examples/validation/cone.toml"
         self.run_here("bin/brash", "run", case, "--set", "time.duration=0.2", "-o", "out")
         manifest = json.loads((self.prefix / "out/manifest.json").read_text())
         model = manifest["inputs"][1]["path"]
         self.assertTrue(model.startswith(str(self.prefix / "share/brash/models")), model)
 
     def test_a_unit_is_made_with_the_installed_library_and_models(self):
-        self.run_here("bin/brash", "export", "fmu", "share/brash/examples/cone.toml", "-o", "cone.fmu")
+        self.run_here("bin/brash", "export", "fmu", "share/brash/examples/validation/cone.toml", "-o", "cone.fmu")
         with zipfile.ZipFile(self.prefix / "cone.fmu") as unit:
             self.assertEqual(unit.read("binaries/linux64/brash.so"), (self.prefix / "lib/brash/fmu.so").read_bytes())
             self.assertEqual(unit.read("resources/models/cone_network.json"),
@@ -53,7 +53,7 @@ class Installed(unittest.TestCase):
     def test_the_module_is_imported_and_runs_from_there(self):
         said = self.run_here("/usr/bin/python3", "-c", f"""
 import brash
-case = brash.Case.from_file("share/brash/examples/cone.toml", {{"time.duration": 0.2}})
+case = brash.Case.from_file("share/brash/examples/validation/cone.toml", {{"time.duration": 0.2}})
 case.run("python")
 brash.FailureModel("superposition")
 print(brash.__file__)
@@ -63,7 +63,7 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
     def test_nothing_that_is_read_lies_in_the_build_tree_or_the_sources(self):
         try:
             said = subprocess.run(["strace", "-f", "-e", "trace=openat", self.prefix / "bin/brash", "check",
-                                   self.prefix / "share/brash/examples/cone.toml"], capture_output=True, text=True)
+                                   self.prefix / "share/brash/examples/validation/cone.toml"], capture_output=True, text=True)
         except FileNotFoundError:
             self.skipTest("strace is not installed")
         opened = [line for line in said.stderr.splitlines() if f'"{SOURCE}/' in line]
@@ -99,6 +99,20 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
                      "share/brash/models/cone_network_errors.csv",
                      "share/bash-completion/completions/brash", "share/man/man1/brash.1.gz", "lib/python3/dist-packages/brash/_brash.pyi"):
             self.assertTrue((self.prefix / name).is_file(), name)
+
+    def test_the_files_that_tutorials_read_are_there(self):
+        """Under the name of the sources, as docs/tutorials/index.md links them, with what their scripts import."""
+        pages = "".join(page.read_text() for page in (self.prefix / "share/doc/brash/docs/tutorials").glob("*.*"))
+        names = set(re.findall(r"experiments/([\w/]+\.(?:toml|csv|py))", pages))
+        self.assertGreater(len(names), 10)
+        examples = self.prefix / "share/brash/examples"
+        self.assertEqual([name for name in sorted(names) if not (examples / name).is_file()], [])
+        for plan, case in (("turbine/design.toml", "turbine.toml"), ("floater/thicknesses.toml", "kulluk.toml")):
+            self.assertIn(f'case = "{case}"', (examples / plan).read_text())
+            self.assertTrue((examples / plan).with_name(case).is_file())
+        for folder, script in (("floater", "offset"), ("coupling", "tower")):
+            self.run_here("/usr/bin/python3", "-B", "-c",
+                          f"import sys; sys.path.insert(0, {str(examples / folder)!r}); import {script}")
 
     def test_debian_s_changelog_begins_with_a_version_that_debian_reads(self):
         text = gzip.decompress((self.prefix / "share/doc/brash/changelog.Debian.gz").read_bytes()).decode()

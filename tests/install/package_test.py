@@ -53,7 +53,7 @@ class Package(unittest.TestCase):
                               "usr/share/brash/models/cone_superposition.json"}, here)
 
     def test_2_the_example_runs_and_writes_its_report(self):
-        said = self.root("cd /tmp && brash run /usr/share/brash/examples/cone.toml --set time.duration=2 "
+        said = self.root("cd /tmp && brash run /usr/share/brash/examples/validation/cone.toml --set time.duration=2 "
                          "--set output.statistics_from=0.5 -o run && brash rerun run/manifest.json && ls run")
         for name in ("report.html", "run.nc", "summary.json", "manifest.json"):
             self.assertIn(name, said.splitlines())

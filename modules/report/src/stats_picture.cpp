@@ -35,7 +35,7 @@ std::string quantile_chart(const ExtremeEstimate& e, const std::string& unit, do
   const double low = std::min(expected.front(), values.front()), high = std::max(expected.back(), values.back());
   const double margin = 0.05 * (high - low);
   Chart chart(left, top, kChartWidth, kChartHeight, fmt::format("quantiles: {}", name_of(e.law)),
-              {fmt::format("{}, by the law", axis_label("load", unit)), low - margin, high + margin},
+              {axis_label("load by the law", unit), low - margin, high + margin},
               {axis_label("load", unit), low - margin, high + margin});
   chart.line({low, high}, {low, high}, "#333");
   for (std::size_t i = 0; i < values.size(); ++i) chart.point(expected[i], values[i], kLoad, 2.5);

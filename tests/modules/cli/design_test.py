@@ -136,10 +136,26 @@ class Design(unittest.TestCase):
         words = "of many words, " * 20 + "and a remedy at its end"
         file.write_text(json.dumps({"statistics_from": 0.0, "warnings": [{"id": "short-run", "text": words}]}))
         said = self.design("--hours", 1, "--exponent", 4)
-        self.assertIn(f"  warning: of 1 of 3 runs: short-run: {words}\n", said)
+        self.assertIn(f"warning: of 1 of 3 runs: short-run: {words} (thin)\n", said)
         found = json.loads(self.design("--hours", 1, "--exponent", 4, "--json"))
         for state, (number, unit) in zip(found["settings"], re.findall(r"equivalent load +(\S+) (k?N) ", said), strict=True):
             self.assertAlmostEqual(float(number) * {"N": 1, "kN": 1e3}[unit], state["fatigue"][0]["equivalent_load"], delta=1e-2)
+
+    def test_a_warning_of_several_settings_is_said_once_with_their_names(self):
+        said = self.design("--hours", 1, "--negate", "--scatter", self.scatter("ice.thickness,hours\n0.3,500\n0.6,50\n"))
+        warnings = [line for line in said.splitlines() if "warning: " in line]
+        self.assertEqual(len(warnings), len({line.rpartition(" (")[0] for line in warnings}))
+        self.assertTrue(any("the mean is negative" in line and line.endswith(" (thin, thick)") for line in warnings), said)
+        far = self.design("--hours", 50, "--scatter", self.scatter("ice.thickness,hours\n0.3,500\n0.6,50\n"))
+        self.assertIn("more than on data (return periods, thin, thick)\n", far)
+        # A warning of runs has numbers of each setting's own.
+        for name, seconds in (("thin", 30), ("thick", 50)):
+            file = self.folder / f"cases/{name}-r0000/summary.json"
+            self.addCleanup(file.write_text, file.read_text())
+            warning = {"id": "short-run", "text": f"run {seconds} s: or more"}
+            file.write_text(json.dumps({"statistics_from": 0.0, "warnings": [warning]}))
+        self.assertIn("warning: of 1 of 3 runs: short-run: run 30 s: or more (thin; with other numbers thick)\n",
+                      self.design("--hours", 1))
 
     def test_a_scatter_table_of_a_spreadsheet_begins_with_a_byte_order_mark(self):
         text = "ice.thickness,hours\r\n0.3,100\r\n0.6,2\r\n"

@@ -39,8 +39,9 @@ std::string logarithmic(double lower, double upper) {
   return Chart(0.0, 0.0, 100.0, 100.0, "", {"size [m]", lower, upper, true}, {"", 0.0, 1.0}).svg();
 }
 
-std::string picture_of(double mean, double amplitude) {
+std::string picture_of(double mean, double amplitude, const std::string& unit = "") {
   LoadHistory load{"Fz", {}, {}, 0};
+  load.unit = unit;
   for (int i = 0; i < 4000; ++i) {
     load.history.times.push_back(0.1 * i);
     load.history.values.push_back(mean + amplitude * ((i * 37) % 101 - 50) / 50.0);
@@ -93,6 +94,13 @@ BOOST_AUTO_TEST_CASE(an_axis_of_large_numbers_has_its_unit_with_a_prefix) {
   BOOST_TEST(contains(chart("load", 6e8, false), ">400M</text>"));
   BOOST_TEST(contains(chart("load [N]", 900.0, false), ">load [N]</text>"));
   BOOST_TEST(contains(chart("width [m]", 2e6, false), ">width [m]</text>"));
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_stands_at_the_end_of_each_label_and_no_number_has_its_prefix) {
+  const std::string svg = picture_of(300e3, 200e3, "N");
+  for (const char* const label : {">load [kN]</text>", ">load by the law [kN]</text>", ">threshold [kN]</text>"})
+    BOOST_TEST(contains(svg, label));
+  BOOST_TEST(!contains(svg, "k</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(a_logarithmic_axis_has_two_numbers_at_least) {

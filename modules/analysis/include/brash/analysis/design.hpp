@@ -22,6 +22,10 @@ struct DesignSettings {
   double frequency = 1.0;                             ///< of their sinusoid [Hz]
 };
 
+/// Widest 90 % interval of the load that 84 % of ten-minute maxima stay below, over that load: IEC 61400-1:2019, Annex
+/// G.
+inline constexpr double kWidestOfTenMinutes = 0.15;
+
 /// The return period of an annual probability of exceedance in (0, 1) [years].
 double years_of(double annual_probability);
 

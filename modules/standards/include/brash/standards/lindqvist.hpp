@@ -44,6 +44,9 @@ struct LindqvistLoad {
 ///         + mu [0.7 L - T/tan phi - B/(4 tan alpha) + T cos phi cos psi sqrt(1/sin^2 phi + 1/tan^2 alpha)] }
 ///   R   = (R_c + R_b)(1 + 1.4 v/sqrt(g h)) + R_s (1 + 9.4 v/sqrt(g L))
 ///
+/// Others write 0.003 for 27/64 over the root, which is its value at E = 2 GPa (Hu and Zhou 2016), or 37/64 (a public
+/// program after Fan, Yu and Jiang 2019), with which R_b is 37 % larger.
+///
 /// Applies to conventional icebreaking bows in continuous motion. Outside: a bow on which friction locks the ice
 /// (mu sin phi >= cos psi).
 ///
