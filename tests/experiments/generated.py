@@ -6,7 +6,6 @@ import json
 import math
 import random
 import re
-import subprocess
 from pathlib import Path
 
 SCHEMA = json.loads((Path(__file__).resolve().parents[2] / "modules/io/case.schema.json").read_text(encoding="utf-8"))
@@ -115,7 +114,7 @@ class Legal:
 
     def __init__(self, seed):
         self.draw, self.case, self.files = Draw(seed), {}, {}
-        self.width = self.draw.decades(2e-3, 1e3)  # of the structure [m]
+        self.ice_file_key = None  # of the file that has the ice
         self.structure()
         self.ice()
         self.motion()
@@ -127,14 +126,19 @@ class Legal:
         self.case = {path: rounded(value) for path, value in self.case.items()}
 
     def structure(self):
-        draw, width = self.draw, self.width
+        draw, width = self.draw, self.draw.decades(2e-3, 1e3)  # [m]
         kind = draw.one(KEYS["structure.kind"]["enum"])
         slope = draw.one([draw.even(20, 85), draw.even(20, 85), 90.0])
         self.angle = math.radians(slope)
         # The retreat of a slope leaves a keel, or a top, of a tenth of the width.
-        depth = self.depth = width * min(draw.decades(0.2, 1.5), 0.4 * math.tan(self.angle))
-        length = width * draw.decades(0.8, 4.0)
-        self.reach = max(width, length)  # more than the way from the origin to the bow; the program says how much it is
+        depth_ratio = min(draw.decades(0.2, 1.5), 0.4 * math.tan(self.angle))
+        length_ratio = draw.decades(0.8, 4.0)
+        if kind in ("ship", "mesh"):
+            depth_ratio, length_ratio = 0.4 if kind == "ship" else 0.5, 4.0 if kind == "ship" else length_ratio
+        # No size is below or above what the schema takes.
+        width = self.width = min(max(width, 1.01e-3 / depth_ratio), 990.0 / max(1.0, 2.0 * depth_ratio, length_ratio))
+        depth, length = width * depth_ratio, width * length_ratio
+        self.depth = depth
         case = {"structure.kind": kind, "structure.start_distance": 0.0}
         if kind in ("cone", "faceted-cone", "plane", "wedge-bow"):
             case |= {"structure.angle": f"{slope:g} deg", "structure.waterline_width": width, "structure.height": 2.0 * depth,
@@ -148,14 +152,13 @@ class Legal:
         if kind == "cone":
             case["structure.facets"] = draw.one([16, 64])
         if kind == "ship":
-            self.depth = 0.4 * width
-            case |= {"hull.length": 4.0 * width, "hull.breadth": width, "hull.draught": self.depth,
+            case |= {"hull.length": length, "hull.breadth": width, "hull.draught": depth,
                      "hull.stem_angle": math.radians(draw.even(20, 60)), "hull.waterline_angle": math.radians(draw.even(25, 60)),
                      "hull.flare": math.radians(draw.even(0, 30))}
         if kind == "mesh":
-            self.depth, self.angle = 0.5 * width, math.pi / 2
-            self.files["box.off"] = box(width, length, width, 0.5 * width)
-            case |= {"structure.file": "box.off", "structure.draught": 0.5 * width}
+            self.angle = math.pi / 2
+            self.files["box.off"] = box(width, length, width, depth)
+            case |= {"structure.file": "box.off", "structure.draught": depth}
         self.kind = kind
         self.case |= case
 
@@ -199,6 +202,10 @@ class Legal:
             self.case["field.initial_crack"] = False
         else:
             self.case["field.initial_crack"] = draw.chance(0.7)
+            if draw.chance(0.15):
+                self.case |= {"field.edge_roughness": 0.05 * self.length, "field.edge_correlation_length": 0.5 * self.length}
+            if self.case["field.initial_crack"] and draw.chance(0.15):
+                self.case["field.initial_crack_radius"] = self.length * draw.even(0.2, 0.6)
 
     def floes(self, extent):
         draw, law = self.draw, self.draw.one(KEYS["field.size.kind"]["enum"])
@@ -216,8 +223,10 @@ class Legal:
                                  "cracks": f"LINESTRING ({0.7 * length:.9g} {-width:.9g}, {0.7 * length:.9g} {width:.9g})\n",
                                  "shore": rectangle(0.8 * length, -0.5 * width, 0.2 * length, 0.3 * width),
                                  "file": rectangle(0.0, -0.45 * width, 0.9 * length, 0.9 * width)}[key]
-        # The ice itself says that the structure starts in it, but not by how much.
-        self.case |= {f"field.{key}": "ice.wkt", "field.initial_crack": False, "structure.start_distance": self.reach}
+        self.ice_file_key = f"field.{key}"
+        self.case |= {self.ice_file_key: "ice.wkt", "field.initial_crack": False}
+        if key == "file":  # its outline reaches no border that could hold it
+            self.case["field.border"] = "free"
 
     def laws(self):
         draw = self.draw
@@ -234,9 +243,14 @@ class Legal:
         self.gap = 0.02 * self.width
         way = self.gap + draw.even(0.1, 0.5) * min(self.length, self.width)
         step = min(way / self.speed / n_steps, 1.0)
-        self.case |= {"time.step": float(f"{step:.6g}"), "time.duration": float(f"{n_steps * float(f'{step:.6g}'):.9g}"),
+        self.case["time.step"] = float(f"{step:.6g}")
+        self.case |= {"time.duration": float(f"{n_steps * self.case['time.step']:.9g}"),
                       "output.frames_per_second": min(float(f"{0.2 / step:.6g}"), 1000.0),
-                      "output.checkpoint_interval": float(f"{0.5 * n_steps * step:.6g}")}
+                      "output.checkpoint_interval": self.interval(n_steps)}
+
+    def interval(self, n_steps):
+        """Time between checkpoints: one comes, in the middle [s]."""
+        return float(f"{(n_steps // 2 + 1) * self.case['time.step']:.9g}")
 
     def optional(self):
         for section in OPTIONAL:
@@ -253,8 +267,26 @@ class Legal:
         for name, text in self.files.items():
             (folder / name).write_text(text, encoding="utf-8")
         file = folder / "case.toml"
-        file.write_text(text_of(self.case), encoding="utf-8")
+        # Level ice says how far its edge has to be from the structure's origin, ice of a file only that it is too near.
+        before = self.case["structure.start_distance"] == 0.0 and self.ice_file_key
+        file.write_text(text_of({path: value for path, value in self.case.items() if path != before}), encoding="utf-8")
         return file
+
+    def follow(self, said):
+        """Changes the case as the refusal `said` wants it. @return whether it wants something."""
+        if reach := REACH.search(said):
+            self.case["structure.start_distance"] = float(f"{float(reach[1]) * 1.0001 + self.gap:.9g}")
+        elif longest := LONGEST_STEP.search(said):
+            n_steps = round(self.case["time.duration"] / self.case["time.step"])
+            self.case["time.step"] = float(f"{0.9 * float(longest[1]):.4g}")
+            self.case["time.duration"] = float(f"{n_steps * self.case['time.step']:.9g}")
+            self.case["output.frames_per_second"] = min(float(f"{0.2 / self.case['time.step']:.6g}"), 1000.0)
+            self.case["output.checkpoint_interval"] = self.interval(n_steps)
+        elif reached := CONCENTRATION.search(said):
+            self.case["field.concentration"] = float(f"{0.8 * float(reached[1]):.4g}")
+        else:
+            return self.drop_refused(said)
+        return True
 
     def drop_refused(self, said):
         """Leaves out what the program refuses: the optional keys that it names. @return whether there are any."""
@@ -265,25 +297,25 @@ class Legal:
 
 
 REACH = re.compile(r"more than its largest radius in the ice, ([\d.e+-]+) m")
+LONGEST_STEP = re.compile(r"is too long for the structure on its restoring loads\n  allowed: less than ([\d.e+-]+) s")
+CONCENTRATION = re.compile(r"allowed: at most ([\d.e+-]+), which was reached")
 
 
-def legal(brash, seed, folder, tries=8):
-    """A case that `brash check` takes, written into `folder`. @return its file, or None with the last answer."""
+def legal(seed, folder, attempt, tries=8):
+    """A case that the program takes, written into `folder`.
+    @param attempt  calls the program with the file; it ends with 2 where the case is refused.
+    @return the file, or None when the last try was refused, the drawn case, and the call."""
     drawn = Legal(seed)
-    said = ""
     for _ in range(tries):
+        waits = drawn.ice_file_key and drawn.case["structure.start_distance"] == 0.0
         file = drawn.write(folder)
-        done = subprocess.run([brash, "check", file], capture_output=True, text=True, check=False, timeout=120)
-        if done.returncode == 0:
-            return file, drawn
-        said = done.stderr
+        done = attempt(file)
         if done.returncode != 2:
+            assert not waits, "level ice did not say how far its edge has to be"
+            return file, drawn, done
+        if not drawn.follow(done.stderr):
             break
-        if reach := REACH.search(said):
-            drawn.case["structure.start_distance"] = float(f"{float(reach[1]) * 1.0001 + drawn.gap:.9g}")
-        elif not drawn.drop_refused(said):
-            break
-    return None, said
+    return None, drawn, done
 
 
 def spoilt(draw, path, of, value):

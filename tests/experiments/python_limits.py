@@ -11,6 +11,9 @@ import subprocess
 import sys
 
 CALLS = {
+    "reading a case": "brash.Case.from_file(source + '/experiments/fields/cone.toml')",
+    "a polygon": "brash.Polygon([(0, 0), (1, 0), (0, 1)]).area",
+    "a refusal": "assert refusal(lambda: brash.Polygon([(0, 0)]))",
     "a run": "case.run()",
     "steps": "brash.Simulation(case).step(50)",
     "a run with files": "case.run(tempfile.mkdtemp())",
@@ -24,6 +27,12 @@ source, how, megabytes = sys.argv[1], sys.argv[2], int(sys.argv[3])
 case = brash.Case.from_file(source + "/experiments/validation/cone.toml", {{"failure.model": "wedge", "time.duration": 1.5,
                                                                          "output.statistics_from": 0}})
 ends = []
+
+def refusal(call):
+    try:
+        call()
+    except brash.InputError as error:
+        return str(error)
 
 def call():
     try:

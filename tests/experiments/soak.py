@@ -10,17 +10,19 @@ soak.py steps BRASH CASE FOLDER [N [SECONDS]]    N [200] generated cases of SECO
                                                  the structure does on it
 soak.py cases BRASH CASE FOLDER [N [FIRST]]      N [10] cases drawn from the schema, from seed FIRST [1] on: they run to their
                                                  end with finite numbers, a closed ledger and a closed balance of energy, if
-                                 need be with the shorter step that a watchdog's message names,
-                                                 and a run that is interrupted or killed and resumed leaves the same bytes
+                                                 need be with the shorter step that a watchdog's message names, and a run
+                                                 that is interrupted, or resumed in its middle, leaves the same bytes
 soak.py illegal BRASH CASE FOLDER [N [FIRST]]    N [100] drawn cases with one fault each: the message names file, key, value,
                                                  allowed values and remedy
 """
+import collections
 import json
 import math
 import os
 import pty
 import random
 import re
+import resource
 import shutil
 import signal
 import statistics
@@ -206,26 +208,40 @@ def physics_fault(folder):
     return "" if abs(given - sum(terms)) <= 1e-9 * largest else f"the balance of energy does not close: {energy}"
 
 
-def end_early(command_line, folder, draw, seconds):
-    """Ends a run of the command in the middle: by an interrupt at a random moment of its `seconds`, or killed once it has a
-    checkpoint.
-    @return whether it heard the interrupt, or was over: before it looks for interrupts the system ends it."""
-    process = subprocess.Popen(command_line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    interrupts = draw.chance(0.5)
-    if interrupts:
-        time.sleep(draw.even(0.0, seconds))
-        process.send_signal(signal.SIGINT)
-    else:
-        while process.poll() is None and not (folder / "checkpoint.nc").exists():
-            time.sleep(0.002)
-        process.kill()
+def cpu_seconds(pid):
+    """Processor time that a child has taken [s]. On a busy machine it says what the clock on the wall cannot."""
+    return time.clock_gettime((~pid << 3) | 2)
+
+
+def ends_within(process, seconds):
+    """Waits until the child ends, or has taken so much more processor time. @return whether it ended."""
+    begun = cpu_seconds(process.pid)
+    longest = time.monotonic() + 1800.0
+    while process.poll() is None:
+        if cpu_seconds(process.pid) - begun > seconds or time.monotonic() > longest:
+            return False
+        time.sleep(0.002)
+    return True
+
+
+HEARD_WITHIN = 5.0  # processor time from an interrupt to the end: one of the results' last second is writing them [s]
+
+
+def interrupted(run, folder, at):
+    """Interrupts a run once it has taken `at` seconds of processor time. @return its fault, or "": until it looks for
+    interrupts the system ends it, and once it writes its results it is done with them."""
+    process = subprocess.Popen([*run, folder], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     try:
-        process.wait(60)
-    except subprocess.TimeoutExpired:
+        if not ends_within(process, at):
+            process.send_signal(signal.SIGINT)
+            if not ends_within(process, HEARD_WITHIN):
+                return f"an interrupt after {at:.3g} s was not heard in {HEARD_WITHIN:g} s of processor time"
+        if process.returncode in (0, 3, -signal.SIGINT):
+            return ""
+        return f"interrupted after {at:.3g} s: exit status {process.returncode}: {process.stderr.read().strip()}"
+    finally:
         process.kill()
-        process.wait()
-        return False
-    return not interrupts or process.returncode in (0, 3, -signal.SIGINT)
+        process.communicate()
 
 
 def engine_of(run):
@@ -234,51 +250,81 @@ def engine_of(run):
     return tomllib.loads(manifest["case"]["toml"])["contact"]["engine"]
 
 
-def run_fault(brash, file, folder, seed, shorter=()):
-    """The fault of the run of a case, or of its continuation after an early end, or "". A watchdog may end a run of long
-    steps: then the step that its message names is taken, up to three times."""
+def continuation_fault(run, folder, draw, seconds):
+    """The fault of a run that is not made at once, or "". In one half of the cases an interrupt ends it, at a random moment
+    of its `seconds` of processor time. The others begin from the state that the whole run kept in the middle, as after a
+    kill."""
     whole, parted = folder / "whole", folder / "parted"
-    run = [brash, "run", file, "--threads", "1", *(f"--set=time.step={step}" for step in shorter[-1:]), "-o"]
-    begun = time.monotonic()
-    done = subprocess.run([*run, whole], capture_output=True, text=True, check=False, timeout=900)
-    seconds = time.monotonic() - begun
-    remedy = re.search(r"with a shorter step, such as --set time\.step=(\S+)", done.stderr)
-    if done.returncode == 1 and remedy and len(shorter) < 3:
-        shutil.rmtree(whole)
-        return run_fault(brash, file, folder, seed, (*shorter, remedy.group(1)))
-    if done.returncode != 0:
-        return f"exit status {done.returncode}: {done.stderr.strip()}"
-    if fault := physics_fault(whole):
-        return fault
     if engine_of(whole) == "bullet":
         return ""  # a resumed run with Bullet has other bytes: docs/reference/case-file.md
-    if not end_early([*run, parted], parted, Draw(seed), seconds):
-        return "an interrupt was not heard in a minute, or ended the run as a failure"
-    done = subprocess.run([*run, parted, "--resume"], capture_output=True, text=True, check=False, timeout=900)
-    if done.returncode != 0:
-        return f"--resume: exit status {done.returncode}: {done.stderr.strip()}"
+    if draw.chance(0.5):
+        if fault := interrupted(run, parted, draw.even(0.0, seconds)):
+            return fault
+    else:
+        parted.mkdir()
+        shutil.copy(whole / "checkpoint.nc", parted)
+    if not (parted / "manifest.json").exists():
+        done = subprocess.run([*run, parted, "--resume"], capture_output=True, text=True, check=False, timeout=3600)
+        if done.returncode != 0:
+            return f"--resume: exit status {done.returncode}: {done.stderr.strip()}"
     different = [name for name in SAME if (whole / name).read_bytes() != (parted / name).read_bytes()]
     return f"a resumed run has another {', '.join(different)}" if different else ""
 
 
+SHORTER_STEP = re.compile(r"with a shorter step, such as --set time\.step=(\S+)")
+
+
+def end_of_case(brash, folder, seed):
+    """Draws a case and runs it. A watchdog may end a run of long steps: then the step that its message names is taken, up to
+    three times. @return what became of it: "refused", "passed", "shorter step" or "failed", and its fault, or ""."""
+    run, seconds = [brash, "run", folder / "case.toml", "--threads", "1", "-o"], 0.0
+
+    def attempt(_):
+        nonlocal seconds
+        shutil.rmtree(folder / "whole", ignore_errors=True)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run([*run, folder / "whole"], capture_output=True, text=True, check=False, timeout=3600)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        return done
+
+    file, _, done = legal(seed, folder, attempt)
+    if file is None:
+        is_whole = "  allowed: " in done.stderr and "  remedy:  " in done.stderr
+        return "refused", "" if is_whole else f"refused without allowed values or remedy: {done.stderr}"
+    end = "passed"
+    for _ in range(3):
+        if done.returncode != 1 or not (remedy := SHORTER_STEP.search(done.stderr)):
+            break
+        end = "shorter step"
+        run[3:] = ["--threads", "1", f"--set=time.step={remedy[1]}", "-o"]
+        done = attempt(file)
+    if done.returncode != 0:
+        return "failed", f"exit status {done.returncode}: {done.stderr.strip()}"
+    fault = physics_fault(folder / "whole") or continuation_fault(run, folder, Draw(f"end of {seed}"), seconds)
+    return "failed" if fault else end, fault
+
+
 def cases(brash, _, folder, n=10, first=1):
-    faults, n_refused = [], 0
+    faults, ends = [], collections.Counter()
     for seed in range(first, first + n):
         shutil.rmtree(folder, ignore_errors=True)
-        file, drawn = legal(brash, seed, folder)
-        if file is None:
-            n_refused += 1
-            if "  allowed: " not in drawn or "  remedy:  " not in drawn:
-                faults.append(f"case {seed}: refused without allowed values or remedy: {drawn}")
-            continue
-        if fault := run_fault(brash, file, folder, seed):
+        end, fault = end_of_case(brash, folder, seed)
+        ends[end] += 1
+        if fault:
             shutil.copytree(folder, folder.with_name(f"{folder.name}_{seed}"), dirs_exist_ok=True)
             faults.append(f"case {seed}: {fault}")
             print(faults[-1], flush=True)
-    print(f"{n} generated cases: {n_refused} refused, {len(faults)} failed")
-    if n_refused > n // 3:
-        faults.append(f"{n_refused} of {n} drawn cases were refused: expected at most a third")
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"{n} generated cases from {first} on: {', '.join(f'{count} {end}' for end, count in sorted(ends.items()))}; "
+          f"{(used.ru_utime + used.ru_stime) / n:.2f} s of processor time each")
+    if ends["refused"] > max(1, n // 10):
+        faults.append(f"{ends['refused']} of {n} drawn cases were refused: expected at most a tenth")
     return faults
+
+
+def check(brash, file):
+    return subprocess.run([brash, "check", file], capture_output=True, text=True, check=False, timeout=600)
 
 
 def illegal(brash, _, folder, n=100, first=1):
@@ -286,14 +332,14 @@ def illegal(brash, _, folder, n=100, first=1):
     for seed in range(first, first + n):
         shutil.rmtree(folder, ignore_errors=True)
         if drawn is None or seed % 10 == 0:
-            file, found = legal(brash, seed, folder)
+            file, found, _ = legal(seed, folder, lambda case: check(brash, case))
             drawn = found if file else drawn
         if drawn is None:
             continue
         file = drawn.write(folder)
         text, key, words = spoilt_case(seed, drawn)
         file.write_text(text, encoding="utf-8")
-        done = subprocess.run([brash, "check", file], capture_output=True, text=True, check=False, timeout=120)
+        done = check(brash, file)
         missing = [word for word in ["case.toml", key, "allowed: ", "remedy:  ", *words] if word not in done.stderr]
         if done.returncode != 2 or missing:
             faults.append(f"illegal {seed} of {key}: exit status {done.returncode}, without {missing}: {done.stderr.strip()}")

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files and folders of others are neither written, removed nor followed, whatever they are called."""
+import os
 import shutil
+import subprocess
 import unittest
 
-from common import DATABASE_PLAN, Hostile
+from common import BRASH, DATABASE_PLAN, Hostile
 
 RUN = ("run", "case.toml", "-o", "out")
 CAMPAIGN = ("campaign", "plan.toml", "-o", "out", "--jobs", "1")
@@ -102,6 +104,25 @@ class FoldersOfOthers(Hostile):
         before = sorted(self.path.parent.iterdir())
         self.refused("run", "...toml", saying="no name")
         self.assertEqual(sorted(self.path.parent.iterdir()), before)
+
+
+class Pipes(Hostile):
+    def test_a_pipe_that_nobody_writes_into_is_not_waited_for(self):
+        self.succeeds(*CAMPAIGN)
+        run = self.path / "out/cases/base-r0000"
+        for name, command in (("summary.json", ("design", "out")), ("history.csv", ("stats", run / "history.csv")),
+                              ("manifest.json", ("report", run))):
+            with self.subTest(name):
+                shutil.move(run / name, self.path / "kept")
+                os.mkfifo(run / name)
+                self.refused(*command, saying=(name, "is a pipe that nobody writes into"))
+                (run / name).unlink()
+                shutil.move(self.path / "kept", run / name)
+
+    def test_a_pipe_with_a_writer_is_read(self):
+        done = subprocess.run(["bash", "-c", f'"$0" check <(sleep 0.2; cat case.toml)', BRASH], cwd=self.path,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
 
 class Links(Hostile):

@@ -17,6 +17,16 @@ class Options(Hostile):
         self.refused("compare", "history.csv", "history.csv", "--gap=nan", saying="--gap")
         self.refused("compare", "history.csv", "history.csv", "--measured-dt=1e308", saying="--measured-dt")
 
+    def test_no_range_lets_nan_through(self):
+        for words in (("stats", "history.csv", "--low-pass"), ("stats", "history.csv", "--exponent"),
+                      ("compare", "history.csv", "history.csv", "--measured-speed=1", "--speed"), ("design", ".", "--hours"),
+                      ("design", ".", "--dead-band"), ("design", ".", "--scatter=states.csv", "--annual"),
+                      ("resistance", "case.toml", "--thickness"), ("resistance", "case.toml", "--lengths"),
+                      ("resistance", ".", "--at-speed"), ("export", "openfast", ".", "--join")):
+            for value in ("nan", "-nan", "NaN"):
+                with self.subTest(f"{words} {value}"):
+                    self.refused(*words[:-1], f"{words[-1]}={value}", saying=(words[-1], "is not a finite number", "remedy:"))
+
     def test_histories_beyond_sense_are_refused(self):
         for rows in ("0,1e300\n1,-1e300\n2,1e300\n", "0,1\n1e-300,2\n2e-300,3\n", "-1e308,1\n0,2\n1e308,3\n"):
             (self.path / "absurd.csv").write_text("time,Fx\n" + rows)

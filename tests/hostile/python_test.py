@@ -159,14 +159,18 @@ time.sleep(0.5)
 
     def test_threads_without_memory_raise(self):
         # All limits and calls: tests/experiments/python_limits.py
-        for megabytes in (24, 32, 36, 41, 44, 48):
-            done = self.script(f"""
+        for call, limits in (("brash.Simulation(case).step(50)", (24, 32, 36, 41, 44, 48)),
+                             (f"brash.Case.from_file({str(CONE)!r})", (10, 12, 20)),
+                             ("brash.Polygon([(0, 0), (1, 0), (0, 1)]).area", (0, 8, 12)),
+                             ("case['time.step']", (0, 8))):
+            for megabytes in limits:
+                done = self.script(f"""
 import resource, threading, brash
 case = brash.Case.from_file({str(CONE)!r}, {{"time.duration": 1.5, "failure.model": "wedge", "output.statistics_from": 0}})
 ends = []
 def call():
     try:
-        brash.Simulation(case).step(50)
+        {call}
         ends.append("done")
     except MemoryError:
         ends.append("MemoryError")
@@ -185,8 +189,8 @@ for thread in threads:
         thread.join()
 print(*sorted(set(ends)))
 """)
-            self.assertEqual(done.returncode, 0, f"{megabytes} MB: {done.stderr}")
-            self.assertLessEqual(set(done.stdout.split()), {"done", "MemoryError"}, f"{megabytes} MB: {done.stdout}")
+                self.assertEqual(done.returncode, 0, f"{call}, {megabytes} MB: {done.stderr}")
+                self.assertLessEqual(set(done.stdout.split()), {"done", "MemoryError"}, f"{call}, {megabytes} MB: {done.stdout}")
 
     def test_ctrl_c_ends_long_calls(self):
         plan = self.path / "plan.toml"

@@ -48,8 +48,10 @@ struct Run {
 
 double number_at(const ordered_json& json, const char* pointer, const std::string& path) {
   const ordered_json::json_pointer at(pointer);
-  if (json.contains(at) && json[at].is_number()) return json[at].get<double>();
-  throw InputError(Complaint{path, fmt::format("has no number {}", pointer), kRunSummary,
+  constexpr double kAbsurd = 1e30;
+  if (json.contains(at) && json[at].is_number() && std::abs(json[at].get<double>()) < kAbsurd)
+    return json[at].get<double>();
+  throw InputError(Complaint{path, fmt::format("has no number {} within +-1e30", pointer), kRunSummary,
                              "give a campaign of a ship; `brash resistance CASE -o FOLDER` runs one"});
 }
 

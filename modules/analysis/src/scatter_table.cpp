@@ -34,7 +34,7 @@ std::vector<std::size_t> keys_in(const TextTable& table, const SettingHistories&
                                  fmt::format("`hours` and: {}", fmt::join(varied, ", ")),
                                  "name the columns as the plan's grid does"});
     }
-    keys.push_back(c);
+    keys.push_back(table.column(table.names[c]));
   }
   return keys;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -44,6 +45,19 @@ void unmark(std::string& cell) {
     cell.erase(0, 1);
 }
 
+/// A table of cases has each once: one that is there twice would count twice.
+void refuse_repeated_cases(const TextTable& table, const std::string& remedy) {
+  const auto name = std::ranges::find(table.names, "case");
+  if (name == table.names.end() || std::ranges::find(table.names, "setting") == table.names.end()) return;
+  std::set<std::string> found;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (const std::string& one = table.rows[i][static_cast<std::size_t>(name - table.names.begin())];
+        !found.insert(one).second)
+      throw InputError(Complaint{fmt::format("{}:{}", table.path, i + 2),
+                                 fmt::format("case '{}' is there twice", printable(one)), "one line for each case",
+                                 remedy});
+}
+
 }  // namespace
 
 std::size_t TextTable::column(const std::string& name) const {
@@ -51,6 +65,9 @@ std::size_t TextTable::column(const std::string& name) const {
   if (found == names.end())
     throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(name)),
                                fmt::format("one of: {}", fmt::join(names, ", ")), "name another column"});
+  if (std::find(found + 1, names.end(), name) != names.end())
+    throw InputError(Complaint{path, fmt::format("has two columns '{}'", printable(name)), "one column of each name",
+                               "rename or remove one of them"});
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -73,6 +90,7 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
     }
   }
   if (table.names.size() < 2) throw InputError(Complaint{path, "is not a table", allowed, remedy});
+  refuse_repeated_cases(table, remedy);
   return table;
 }
 

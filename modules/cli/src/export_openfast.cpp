@@ -109,6 +109,8 @@ void join_replicates(const LoadExport& o, const std::string& setting, const std:
 void export_campaign(const LoadExport& o) {
   const fs::path folder = o.directory.empty() ? fs::path(o.given) / "openfast" : fs::path(o.directory);
   const auto settings = analysis::counted_cases(o.given);
+  if (settings.empty())
+    throw InputError(Complaint{o.given, "has no case that is done", "one case at least", "resume the campaign"});
   if (o.join > 0.0) {
     print("load of joined replicates, a folder for each setting in {}\n", folder.string());
     for (const auto& [setting, cases] : settings) join_replicates(o, setting, cases, folder);
@@ -122,8 +124,6 @@ void export_campaign(const LoadExport& o) {
       shortest = std::min(shortest, write_files(io::read_loads(file), (folder / name).string(), o.openfast));
       ++n_runs;
     }
-  if (n_runs == 0)
-    throw InputError(Complaint{o.given, "has no case that is done", "one case at least", "resume the campaign"});
   print("load of {} runs, a folder for each in {}\n", n_runs, folder.string());
   print("TMax of OpenFAST: at most {:.9g} s, since the shortest load is zero after that\n", shortest);
 }

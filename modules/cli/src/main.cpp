@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -62,6 +63,19 @@ void refuse_empty_names(CLI::App& app) {
   for (CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_names(*command);
 }
 
+/// A range of CLI11 takes "nan": no comparison with it holds, the one that would refuse it neither.
+void refuse_what_is_no_number(CLI::App& app) {
+  for (CLI::Option* const option : app.get_options())
+    if (option->get_type_name().starts_with("FLOAT:"))
+      option->check([](const std::string& text) {
+        double value = 0.0;
+        const bool is_number = !CLI::detail::lexical_cast(text, value) || std::isfinite(value);
+        return is_number ? std::string() : fmt::format("'{}' is not a finite number", text);
+      });
+  for (CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; }))
+    refuse_what_is_no_number(*command);
+}
+
 /// "0.2.0 (commit 1a2b3c4d5e6f)"
 std::string version_text() {
   const std::string commit = brash::kCommit;
@@ -99,6 +113,7 @@ int main(int argc, char** argv) {
   brash::cli::add_rerun_command(app);
   brash::cli::add_completion_command(app);
   refuse_empty_names(app);
+  refuse_what_is_no_number(app);
   try {
     return run(app, argc, argv);
   } catch (const brash::InputError& error) {

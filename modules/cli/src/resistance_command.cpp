@@ -92,7 +92,11 @@ void run_resistance(ResistanceOptions& o, const CLI::App& command) {
     return show_resistance(o, thrust, o.input);
   }
   write_plan(o);
-  if (o.plan_only) return print("the plan is in {}; `brash campaign` runs it\n", o.run.plan_file);
+  if (o.plan_only) {
+    std::string set;
+    for (const std::string& text : o.run.overrides) set += fmt::format(" --set \"{}\"", printable(text));
+    return print("the plan is in {0}; `brash campaign {0} -o {1}{2}` runs it\n", o.run.plan_file, o.run.directory, set);
+  }
   run_plan(o.run);
   show_resistance(o, thrust, o.run.directory);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/core/input_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +17,23 @@ namespace brash {
 
 namespace {
 
+/// A file that is open for reading. Pipes are not waited for: opening one would take until somebody writes.
+class Descriptor {
+ public:
+  explicit Descriptor(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+    if (number_ >= 0) ::fcntl(number_, F_SETFL, ::fcntl(number_, F_GETFL) & ~O_NONBLOCK);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
 /// Reads a file in blocks: a device has no size, and a file's may change.
 void for_each_block(const std::string& path, const std::string& kind, std::size_t most_mebibytes,
                     const std::function<void(std::string_view)>& take) {
@@ -24,21 +43,22 @@ void for_each_block(const std::string& path, const std::string& kind, std::size_
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) refuse("is a folder", "name the file in it");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
+  const Descriptor file(path);
+  if (file.number() < 0)
     refuse("cannot be opened: " + std::generic_category().message(errno), "check the path and its permissions");
-  }
   const std::size_t most = most_mebibytes << 20;
   const auto file_size = std::filesystem::file_size(path, ignored);
   std::string block(std::size_t{1} << 16, '\0');
   std::size_t n_read = !ignored && file_size > most ? most + 1 : 0;
   while (n_read <= most) {
-    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    if (stream.bad()) refuse("cannot be read", "check the file");
-    const auto n = static_cast<std::size_t>(stream.gcount());
-    n_read += n;
-    if (n_read <= most) take(std::string_view(block).substr(0, n));
-    if (stream.eof() && n_read <= most) return;
+    const ssize_t n = ::read(file.number(), block.data(), block.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) refuse("cannot be read: " + std::generic_category().message(errno), "check the file");
+    if (n == 0 && n_read == 0 && std::filesystem::is_fifo(path, ignored))
+      refuse("is a pipe that nobody writes into", "name a file");
+    if (n == 0) return;
+    n_read += static_cast<std::size_t>(n);
+    if (n_read <= most) take(std::string_view(block).substr(0, static_cast<std::size_t>(n)));
   }
   refuse("is larger than " + size, "check that it is the right file");
 }

@@ -29,6 +29,11 @@ constexpr std::size_t kLeastDeflated = 4096;
 constexpr std::size_t kFirstBytes = 1 << 20;
 /// Values of continued files that are in memory together: each batch of variables opens all these files once.
 constexpr std::size_t kBatchBytes = 32 << 20;
+/// Variables of more bytes are written piece by piece.
+constexpr std::size_t kMostBytesAtOnce = 4 << 20;
+/// A piece. Of a deflated variable it is a chunk: the library keeps one of each variable until the file is whole, and
+/// by itself it would take chunks of 16 MB.
+constexpr std::size_t kBytesOfPiece = 1 << 20;
 
 template <typename T>
 constexpr nc_type kType = NC_NAT;
@@ -41,13 +46,21 @@ constexpr nc_type kType<std::int32_t> = NC_INT;
 template <>
 constexpr nc_type kType<std::int8_t> = NC_BYTE;
 
-/// Asks for the memory that netCDF may take for `n_bytes` of values. netCDF does not survive a lack of memory.
+/// Asks for the memory that netCDF may take for a file of `n_bytes`, of which `n_together` are on their way into it at
+/// a time. netCDF does not survive a lack of memory.
 /// @throws std::bad_alloc when there is less memory.
-void ask_for_memory(std::size_t n_bytes) {
+void ask_for_memory(std::size_t n_bytes, std::size_t n_together) {
   constexpr std::size_t kRoom = 16 << 20;  // for its tables and buffers
-  constexpr std::size_t kCopies = 4;       // of the values: deflated, and the file in memory, which grows by doubling
-  ::operator delete(::operator new(kRoom + kCopies * n_bytes));
+  constexpr std::size_t kCopies = 3;       // of values on their way: as they came, in a chunk, deflated
+  ::operator delete(::operator new(kRoom + n_bytes + kCopies * n_together));
 }
+
+/// Values of a variable that are on their way into the file.
+template <typename T>
+struct OnTheWay {
+  std::vector<T> values{};
+  std::size_t n_written = 0;
+};
 
 /// Lets the library keep a chunk of a deflated variable that is read piece by piece: it would inflate the chunk again
 /// for each piece.
@@ -77,7 +90,7 @@ void write_image(const std::string& path, const FileImage& image) {
 }
 
 NetcdfWriter::NetcdfWriter(std::string shown) : shown_(std::move(shown)) {
-  ask_for_memory(kFirstBytes);
+  ask_for_memory(kFirstBytes, 0);
   check(nc_create_mem(netcdf::kNameInMemory, NC_NETCDF4, kFirstBytes, &file_), "file");
   check(nc_set_fill(file_, NC_NOFILL, nullptr), "file");
 }
@@ -146,35 +159,50 @@ template <typename T>
 void NetcdfWriter::column(const std::string& name, const std::string& along, const Meaning& meaning, std::size_t length,
                           std::function<std::vector<T>()> values) {
   length += length_before(along);
-  n_bytes_ += length * sizeof(T);
-  ask_for_memory(n_bytes_);
+  const std::size_t n_bytes = length * sizeof(T);
+  const bool in_pieces = n_bytes > kMostBytesAtOnce;
+  const std::size_t piece = in_pieces ? kBytesOfPiece / sizeof(T) : length;
+  // In pieces it makes a batch of its own: the layout of the file may not depend on where the continued files part.
+  const std::size_t n_together = in_pieces && !continued_.empty() ? kBatchBytes : n_bytes;
+  expect(n_bytes, n_together);
   const int dim = dimension(along, length);
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);
-  if ((std::is_integral_v<T> || repeating_.contains(along)) && length * sizeof(T) >= kLeastDeflated)
+  if ((std::is_integral_v<T> || repeating_.contains(along)) && n_bytes >= kLeastDeflated) {
     check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
+    if (in_pieces) {
+      check(nc_def_var_chunking(file_, variable, NC_CHUNKED, &piece), name);
+      check(nc_set_var_chunk_cache(file_, variable, kBytesOfPiece, /*nelems=*/1, /*preemption=*/1.0F), name);
+    }
+  }
   describe(variable, name, meaning);
   if (length == 0) return;
-  const auto all = std::make_shared<std::vector<T>>();
-  const auto take = [name, along, length, all](const NetcdfReader& file, const Continued& earlier) {
+  const auto add = [this, name, variable, length, piece, way = std::make_shared<OnTheWay<T>>()](std::vector<T> values) {
+    if (way->values.empty())
+      way->values = std::move(values);
+    else
+      way->values.insert(way->values.end(), values.begin(), values.end());
+    const std::size_t rest = length - way->n_written, n_here = way->values.size();
+    BRASH_EXPECTS(n_here <= rest, name, n_here, rest);
+    const std::size_t n = n_here == rest ? rest : n_here / piece * piece;
+    if (n == 0) return n_here == rest;
+    check(nc_put_vara(file_, variable, &way->n_written, &n, way->values.data()), name);
+    way->n_written += n;
+    way->values.erase(way->values.begin(), way->values.begin() + static_cast<std::ptrdiff_t>(n));
+    return n == rest;
+  };
+  const auto take = [name, along, add](const NetcdfReader& file, const Continued& earlier) {
     const auto n = earlier.lengths.find(along);
     if (n == earlier.lengths.end()) return;
     std::vector<T> part(n->second);
     if (earlier.variables.contains(name)) file.read(name, along, part);
-    all->reserve(length);
-    all->insert(all->end(), part.begin(), part.end());
+    add(std::move(part));
   };
-  const auto write = [this, name, variable, length, all, values = std::move(values)] {
-    std::vector<T> own = values();
-    if (all->empty())
-      std::swap(*all, own);
-    else
-      all->insert(all->end(), own.begin(), own.end());
-    BRASH_EXPECTS(all->size() == length, name, all->size(), length);
-    const std::size_t start = 0;
-    check(nc_put_vara(file_, variable, &start, &length, all->data()), name);
+  const auto write = [name, add, values = std::move(values)] {
+    const bool is_whole = add(values());
+    BRASH_EXPECTS(is_whole, name);
   };
-  pending_.push_back({length * sizeof(T), take, write});
+  pending_.push_back({n_together, take, write});
 }
 
 template void NetcdfWriter::column(const std::string&, const std::string&, const Meaning&, std::size_t,
@@ -205,8 +233,9 @@ void NetcdfWriter::variable(const std::string& name, const std::string& dimensio
 
 void NetcdfWriter::variable(const std::string& name, const std::string& along, const Meaning& meaning,
                             const std::vector<std::string>& values) {
-  for (const std::string& value : values) n_bytes_ += value.size();
-  ask_for_memory(n_bytes_);
+  std::size_t n_bytes = 0;
+  for (const std::string& value : values) n_bytes += value.size();
+  expect(n_bytes, n_bytes);
   const int dim = dimension(along, values.size());
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), NC_STRING, 1, &dim, &variable), name);
@@ -232,8 +261,14 @@ void NetcdfWriter::container(const std::string& name, const Meaning& meaning) {
   pending_.push_back({.write = write});
 }
 
+void NetcdfWriter::expect(std::size_t n_bytes, std::size_t n_together) {
+  n_bytes_ += n_bytes;
+  n_together_ = std::max(n_together_, n_together);
+  ask_for_memory(n_bytes_, std::max(n_together_, continued_.empty() ? 0 : kBatchBytes));
+}
+
 FileImage NetcdfWriter::finish() {
-  ask_for_memory(n_bytes_);
+  expect(0, 0);
   check(nc_enddef(file_), "file");
   for (auto next = pending_.begin(); next != pending_.end();) {
     const auto first = next;

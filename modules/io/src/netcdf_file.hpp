@@ -95,12 +95,14 @@ class NetcdfWriter {
   /// A variable that has no values yet: they wait until all variables are there, since each turn from making a variable
   /// to writing one would go through all of them in the library.
   struct Pending {
-    std::size_t n_bytes = 0;
+    std::size_t n_bytes = 0;  ///< that are in memory at a time
     std::function<void(const NetcdfReader& file, const Continued&)>
         take{};  ///< values of a file that this one continues
     std::function<void()> write{};
   };
 
+  /// Counts values, of which `n_together` are in memory at a time. @throws std::bad_alloc without memory for them.
+  void expect(std::size_t n_bytes, std::size_t n_together);
   std::size_t length_before(const std::string& dimension) const;
   void describe(int variable, const std::string& name, const Meaning& meaning);
   int dimension(const std::string& name, std::size_t length);
@@ -111,7 +113,8 @@ class NetcdfWriter {
   int file_ = -1;
   std::vector<Pending> pending_;
   std::vector<Continued> continued_;
-  std::size_t n_bytes_ = 0;  ///< of the values
+  std::size_t n_bytes_ = 0;     ///< of the values
+  std::size_t n_together_ = 0;  ///< of those that are in memory at a time
   std::set<std::string> repeating_;
 };
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/pybind11.h>
 
+#include <new>
+
+#include "brash/core/thread_variables.hpp"
 #include "brash/core/version.hpp"
 #include "brash/geometry/memory.hpp"
 #include "rooms.hpp"
@@ -23,11 +26,41 @@ void refuse_half_made_objects(const pybind11::module_& m) {
   }
 }
 
+/// A call of any function: pybind11 has one for all of them.
+class Call : public pybind11::cpp_function {
+ public:
+  /// Has the calls of `object` make the variables of their thread first: a function, a property, or a class with all
+  /// that it has. Without memory for the variables they raise MemoryError.
+  static void guard(pybind11::handle object) {
+    namespace py = pybind11;
+    if (PyType_Check(object.ptr()) != 0) {
+      if (py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(object.ptr())) == nullptr) return;
+      for (const auto& [name, member] : py::dict(object.attr("__dict__"))) guard(member);
+    } else if (PyObject_TypeCheck(object.ptr(), &PyProperty_Type) != 0) {
+      for (const char* const way : {"fget", "fset"}) guard(object.attr(way));
+    } else if (PyObject_TypeCheck(object.ptr(), &PyStaticMethod_Type) != 0) {
+      guard(object.attr("__func__"));
+    } else if (const py::handle function = py::detail::get_function(object); PyCFunction_Check(function.ptr()) != 0) {
+      PyMethodDef& definition = *reinterpret_cast<PyCFunctionObject*>(function.ptr())->m_ml;
+      if (definition.ml_meth == method(&dispatcher)) definition.ml_meth = method(&guarded);
+    }
+  }
+
+ private:
+  static PyObject* guarded(PyObject* self, PyObject* arguments, PyObject* keywords) {
+    return brash::make_thread_variables() ? dispatcher(self, arguments, keywords) : PyErr_NoMemory();
+  }
+  static PyCFunction method(PyCFunctionWithKeywords function) {
+    return reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(function));
+  }
+};
+
 }  // namespace
 
 PYBIND11_MODULE(_brash, m) {
   using namespace brash::python;
   namespace py = pybind11;
+  if (!brash::make_thread_variables()) throw std::bad_alloc();
   brash::geometry::throw_where_memory_is_short();
   m.doc() = "How a structure breaks level ice. SI units and radians throughout; x along the structure's track.";
   m.attr("__version__") = brash::kVersion;
@@ -51,5 +84,6 @@ PYBIND11_MODULE(_brash, m) {
   add_load_histories(m);
   add_standards(m);
   refuse_half_made_objects(m);
+  for (const auto& [name, value] : m.attr("__dict__").cast<py::dict>()) Call::guard(value);
   py::module_::import("atexit").attr("register")(py::cpp_function(&Released::wait_for_calls));
 }

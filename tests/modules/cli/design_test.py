@@ -290,7 +290,27 @@ class Design(unittest.TestCase):
         self.assertIn("install Debian's package librsvg2-bin", done.stderr)
         self.assertEqual(list(self.folder.glob("*x.png*")), [])
 
+    def test_a_case_counts_once(self):
+        table = self.folder / "campaign.csv"
+        before = table.read_text()
+        self.addCleanup(table.write_text, before)
+        head, *rows = before.splitlines()
+        table.write_text("\n".join([head, *rows, rows[0]]) + "\n")
+        for command in (("design",), ("trend", "--along", "ice.thickness"), ("compare", self.folder / "history.csv"),
+                        ("export", "openfast", "--join", "100")):
+            words = [*command[:2], self.folder, *command[2:]] if command[0] == "export" else [command[0], self.folder, *command[1:]]
+            done = subprocess.run([BRASH, *map(str, words)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, f"{command}: {done.stdout}")
+            self.assertIn("case 'thin-r0000' is there twice\n  allowed: one line for each case", done.stderr)
+        table.write_text(head + "\n")
+        for command in ("openfast",), ("openfast", "--join", "100"):
+            done = subprocess.run([BRASH, "export", command[0], self.folder, *command[1:]], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn("has no case that is done", done.stderr)
+
     def test_what_cannot_be_pooled_is_refused(self):
+        for head, name in (("ice.thickness,hours,hours", "hours"), ("ice.thickness,ice.thickness,hours", "ice.thickness")):
+            self.assertIn(f"has two columns '{name}'", self.design("--scatter", self.scatter(f"{head}\n0.3,10,20\n"), code=2))
         refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.5,10\n"), code=2)
         self.assertIn("states.csv:2: the campaign has no setting of the state '0.5,10'", refused)
         refused = self.design("--scatter", self.scatter("ice.strength,hours\n0.5,10\n"), code=2)

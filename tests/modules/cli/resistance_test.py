@@ -5,6 +5,8 @@ import json
 import math
 import os
 import pathlib
+import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -206,6 +208,13 @@ class Resistance(unittest.TestCase):
         self.assertEqual(len(json.loads(self.run_command(SHIP, "--thickness", "0.8", "--speed", "3,4,5", *small, "--resume",
                                                          "--json"))["points"]), 3)
 
+    def test_a_plan_is_told_with_the_command_that_runs_it(self):
+        said = self.run_command(SHIP, "--thickness", "0.8", "--speed", "3", "--set", "ice.flexural_strength='400 kPa'", "-o",
+                                self.folder / "ship", "--plan")
+        words = shlex.split(re.search("`(.*)`", said)[1])
+        self.assertEqual(words, ["brash", "campaign", f"{self.folder}/ship/plan.toml", "-o", f"{self.folder}/ship", "--set",
+                                 "ice.flexural_strength='400 kPa'"])
+
     def test_refusals_name_what_is_allowed(self):
         cone = SOURCE / "experiments/validation/cone.toml"
         grid = ("--thickness", "0.8", "--speed", "1", "-o", self.folder)
@@ -215,6 +224,9 @@ class Resistance(unittest.TestCase):
                                  ((self.folder / "none.toml", *grid), "none.toml")):
             self.assertIn(words, self.run_command(*arguments, code=2))
         write_campaign(self.folder / "ship")
+        (self.folder / "thrust.csv").write_text("speed,speed,thrust\n0,1,1e6\n8,9,0\n")
+        self.assertIn("has two columns 'speed'",
+                      self.run_command(self.folder / "ship", "--thrust", self.folder / "thrust.csv", code=2))
         self.assertIn("--speed has no effect", " ".join(self.run_command(self.folder / "ship", "--speed", 2, code=2).replace(":", "").split()))
         for setting in (self.folder / "ship/settings").iterdir():
             setting.write_text(cone.read_text())

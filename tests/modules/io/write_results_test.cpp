@@ -110,6 +110,29 @@ BOOST_AUTO_TEST_CASE(a_long_replay_of_floes_at_rest_takes_little_room) {
   BOOST_TEST((read_results(scratch.path("run.nc")) == results));
 }
 
+BOOST_AUTO_TEST_CASE(long_results_have_the_same_bytes_wherever_their_earlier_rows_part) {
+  RunResults all = results_of_replay(3000, 250);  // columns of 6 MB, which are written in pieces
+  all.loads.resize(3000, all.loads.empty() ? LoadRow{} : all.loads.back());
+  for (std::size_t i = 0; i < all.loads.size(); ++i) all.loads[i].time = 0.01 * static_cast<double>(i + 1);
+  const Scratch whole, parted;
+  write_results(whole.folder().string(), validation(), all);
+  std::vector<std::string> earlier;
+  RunResults last = all;
+  for (const std::size_t n_frames : {700UL, 1100UL}) {
+    RunResults part;
+    const auto n = static_cast<std::ptrdiff_t>(n_frames);
+    part.frames.assign(last.frames.begin(), last.frames.begin() + n);
+    part.loads.assign(last.loads.begin(), last.loads.begin() + n);
+    last.frames.erase(last.frames.begin(), last.frames.begin() + n);
+    last.loads.erase(last.loads.begin(), last.loads.begin() + n);
+    earlier.push_back(parted.path("rows-" + std::to_string(n_frames) + ".nc"));
+    write_earlier_rows(earlier.back(), part);
+  }
+  write_results(parted.folder().string(), validation(), last, earlier);
+  BOOST_TEST((read_bytes(whole.path("run.nc")) == read_bytes(parted.path("run.nc"))));
+  BOOST_TEST((read_results(parted.path("run.nc")) == all));
+}
+
 BOOST_AUTO_TEST_CASE(long_results_are_read_piece_by_piece) {
   const Scratch scratch;
   RunResults results = results_of_replay(2000, 50);
