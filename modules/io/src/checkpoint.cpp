@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-10";
+constexpr const char* kFormat = "brash-checkpoint-11";
 constexpr const char* kRowsFormat = "brash-checkpoint-rows-1";
 /// Of every variable and dimension of a table: results so far are in the same file.
 constexpr const char* kPrefix = "state_";

@@ -351,7 +351,9 @@ void weigh_loads(const EdgeModel& model, std::vector<EdgeContact>& contacts) {
     for (const EdgeContact& other : contacts) {
       const double off = norm(other.touched.tip - contact.touched.tip) / l_c;
       double& sum = other.floe == model::kNoFloe ? contact.pressing.by_structure : contact.pressing.by_floes;
-      sum += bending_force(model, other) * failure::share_at(off);
+      const double share = failure::share_at(off);
+      sum += bending_force(model, other) * share;
+      (other.on_ice.z > 0.0 ? contact.pressing.up : contact.pressing.down) += std::abs(other.on_ice.z) * share;
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -29,8 +30,11 @@ struct Touch {
 /// How much the loads around a contact bend the ice there, by failure::share_at of their distances [N].
 struct Pressing {
   double by_structure = 0.0, by_floes = 0.0;
+  double up = 0.0, down = 0.0;  ///< the vertical loads among them
 
   double sum() const { return by_structure + by_floes; }
+  /// What is left where loads up and down bend the ice against each other.
+  double net() const { return sum() - 2.0 * std::min(up, down); }
 };
 
 /// The structure, or a floe, against the edge of the fixed sheet, at one place, at one instant.

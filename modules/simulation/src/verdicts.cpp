@@ -12,7 +12,8 @@ namespace {
 
 /// A verdict is kept while the overload stays below 1, times kLeastMargin, and kMoreMargin more at the longest age.
 constexpr double kLeastMargin = 1.1, kMoreMargin = 1.0;
-/// A contact is solved where the loads of either kind changed by more than this share of all, or its length.
+/// A contact is solved where the loads of either kind changed by more than this share of all, the vertical ones by more
+/// than this share of their net, or its length.
 constexpr double kLoadJump = 1.0, kLengthJump = 0.25;
 /// Whatever the load, the stress of an edge that has just begun to move grows with a power of its age. So a verdict is
 /// kept no longer than this share of the age.
@@ -62,12 +63,15 @@ bool Verdicts::may_keep(const Kept& kept, const EdgeContact& contact, double now
   if (kept.is_stale || age > 1.0 - kRoundingOfTimes) return false;
   const double jump = kLoadJump * kept.pressing.sum();
   const Pressing& pressing = contact.pressing;
+  const double lifted = (pressing.up - pressing.down) - (kept.pressing.up - kept.pressing.down);
   if (std::abs(pressing.by_structure - kept.pressing.by_structure) > jump ||
       std::abs(pressing.by_floes - kept.pressing.by_floes) > jump ||
+      std::abs(lifted) > kLoadJump * kept.pressing.net() ||
       std::abs(contact.touched.length - kept.touched.length) > kLengthJump * kept.touched.length)
     return false;
   // A load that falls may have held another one up.
-  return kept.overload * std::max(1.0, kept.growth(pressing)) * (kLeastMargin + kMoreMargin * age) < 1.0;
+  const double most = std::max({1.0, kept.growth(pressing), pressing.net() / kept.pressing.net()});
+  return kept.overload * most * (kLeastMargin + kMoreMargin * age) < 1.0;
 }
 
 void Verdicts::recall(double now, std::vector<EdgeContact>& contacts) const {

@@ -70,6 +70,8 @@ class Verdicts {
       visit("breaking_length", "m", "breaking length", self.breaking_length);
       visit("by_structure", "N", "the structure's loads that bent the ice there", self.pressing.by_structure);
       visit("by_floes", "N", "the same of the floes", self.pressing.by_floes);
+      visit("up", "N", "vertical loads among them, upwards", self.pressing.up);
+      visit("down", "N", "vertical loads among them, downwards", self.pressing.down);
       visit("is_bound", "1", "whether the overload is a bound", self.is_bound);
       visit("is_stale", "1", "whether the ice around it has changed", self.is_stale);
       visit("is_control", "1", "whether it is solved in every step", self.is_control);

@@ -79,6 +79,19 @@ BOOST_AUTO_TEST_CASE(a_verdict_is_kept_while_the_ice_is_far_from_breaking) {
   BOOST_TEST(verdicts.most_overloaded({asked(0.0, {110.0, 0.0})}).has_value());  // its load still predicts
 }
 
+/// A floe lifts the ice and another presses it down. Together they bend it little, until one of them goes.
+BOOST_AUTO_TEST_CASE(the_ice_is_not_far_from_breaking_where_loads_oppose_each_other) {
+  Verdicts verdicts(0.2);
+  verdicts.keep(1.0, {solved(0.0, 0.5, {0.0, 60.0, 36.0, 24.0}, 7)});  // 12 are left
+  const auto is_kept = [&](double up, double down) {
+    return recalled(verdicts, 1.02, asked(0.0, {0.0, up + down, up, down}, 7)).kept == Verdict::kKept;
+  };
+  BOOST_TEST(is_kept(36.0, 24.0));
+  BOOST_TEST(is_kept(38.0, 22.0));   // 0.5 (16 / 12) (1.1 + 0.1) < 1
+  BOOST_TEST(!is_kept(45.0, 24.0));  // 0.5 (21 / 12) (1.1 + 0.1) > 1
+  BOOST_TEST(!is_kept(23.0, 36.0));  // bent the other way
+}
+
 BOOST_AUTO_TEST_CASE(a_control_counts_a_failure_that_came_late) {
   Verdicts verdicts(0.2);
   const std::int64_t floe = 16;  // 0 + 16 + 1 is a multiple of 17
