@@ -39,17 +39,18 @@ Vec2 centre_velocity(const Drift& drift, const SheetBody& body) {
 
 Vec2 centre_place(const Drift& drift, const SheetBody& body) { return drift.position + turn(drift.angle, body.centre); }
 
-/// The motion of the frame whose body's centre is at a place and has a velocity.
-Drift by_centre(Vec2 place, double angle, Vec2 velocity, double spin, const SheetBody& body) {
-  const Vec2 arm = turn(angle, body.centre);
-  return {place - arm, angle, velocity - spin * perpendicular(arm), spin};
+/// Where it was, to the bit, so that its tiles, which the step has moved, lie in it; its centre has another velocity.
+Drift with_velocity(const Drift& drift, Vec2 of_centre, double spin, const SheetBody& body) {
+  const Vec2 arm = turn(drift.angle, body.centre);
+  return {drift.position, drift.angle, of_centre - spin * perpendicular(arm), spin};
 }
 
 /// Even motion, about the centre; docs/theory/fracture-of-floes.md, (G1), (G2).
 Drift after(const Drift& drift, const SheetBody& body, double seconds) {
   const Vec2 velocity = centre_velocity(drift, body);
-  return by_centre(centre_place(drift, body) + seconds * velocity, drift.angle + seconds * drift.spin, velocity,
-                   drift.spin, body);
+  const double angle = drift.angle + seconds * drift.spin;
+  const Vec2 position = centre_place(drift, body) + seconds * velocity - turn(angle, body.centre);
+  return with_velocity({position, angle}, velocity, drift.spin, body);
 }
 
 /// A sheet's row in a checkpoint.
@@ -238,7 +239,7 @@ WorkOnSheets DriftingSheets::take_back(double dt) {
     work.form += work_of(sheet.form);
     work.skin += work_of(sheet.skin);
     work.wind += work_of(sheet.wind);
-    sheet.now = by_centre(centre_place(sheet.now, body), sheet.now.angle, plan(after.linear), after.angular.z, body);
+    sheet.now = with_velocity(sheet.now, plan(after.linear), after.angular.z, body);
   }
   return work;
 }
@@ -247,9 +248,8 @@ double DriftingSheets::take_pushes(int number, double dt) {
   Sheet& sheet = sheets_.at(static_cast<std::size_t>(number));
   const double before = kinetic(sheet);
   const auto moved_on = [&](const Drift& drift) {
-    return by_centre(centre_place(drift, sheet.body), drift.angle,
-                     centre_velocity(drift, sheet.body) + (dt / sheet.body.mass) * sheet.of_structure.force,
-                     drift.spin + dt / sheet.body.inertia * sheet.of_structure.moment, sheet.body);
+    return with_velocity(drift, centre_velocity(drift, sheet.body) + (dt / sheet.body.mass) * sheet.of_structure.force,
+                         drift.spin + dt / sheet.body.inertia * sheet.of_structure.moment, sheet.body);
   };
   sheet.now = moved_on(sheet.now);
   sheet.start = moved_on(sheet.start);

@@ -68,6 +68,24 @@ BOOST_AUTO_TEST_CASE(a_contact_of_a_step_lies_in_the_frame_where_the_step_began)
   BOOST_TEST(norm(lone.sheets.turned_back(0, side) - Vec3{1.0, 0.0, 0.0}) < 1e-12);
 }
 
+/// Its tiles are where the step has moved them; a resumed run lays them where the frame is.
+BOOST_AUTO_TEST_CASE(the_end_of_a_step_leaves_a_frame_where_it_is_to_the_bit) {
+  const model::Case c = free_case();
+  Lone lone(c);
+  lone.sheets.add(plate(c, 37.3, 21.7), {.position = {0.1, 0.3}, .velocity = {0.7, 0.3}, .spin = 0.01});
+  for (double length = 37.0; length > 30.0; length -= 0.3) {
+    lone.sheets.begin_step();
+    lone.sheets.advance(0.01);
+    const Pose moved = lone.sheets.pose(0);
+    lone.sheets.push(0, {1e3, 3e2, 0.0}, {1.7, 0.9, 0.0});
+    lone.sheets.weigh(plate(c, length, 21.7));  // a break
+    lone.sheets.hand_over(0.01);
+    lone.world.step(0.01);
+    (void)lone.sheets.take_back(0.01);
+    BOOST_REQUIRE((lone.sheets.pose(0) == moved));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_sheet_under_a_constant_force_accelerates_by_force_over_mass_and_turns_by_moment_over_inertia) {
   const model::Case c = free_case(kNoDrag);
   Lone lone(c);
