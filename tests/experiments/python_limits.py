@@ -7,6 +7,7 @@ python_limits.py SOURCE [STEP]      with brash in the PYTHONPATH; STEP in MB [2]
 Calls are made alone, in three threads, and in another process. A limit is raised until the call has succeeded thrice.
 """
 import collections
+import os
 import subprocess
 import sys
 
@@ -56,16 +57,14 @@ if how == "alone":
     limit()
     call()
 elif how == "threads":
-    threads = [threading.Thread(target=call) for _ in range(3)]
+    limited = threading.Event()
+    threads = [threading.Thread(target=lambda: (limited.wait(), call())) for _ in range(3)]
+    for thread in threads:  # before the limit: a start without memory may hang (CPython issue 140746)
+        thread.start()
     limit()
-    try:
-        for thread in threads:
-            thread.start()
-    except RuntimeError:  # Python itself finds no place for a thread
-        ends.append("MemoryError")
+    limited.set()
     for thread in threads:
-        if thread.ident:
-            thread.join()
+        thread.join()
 else:
     other = multiprocessing.get_context("fork").Process(target=in_another)
     other.start()
@@ -83,7 +82,7 @@ def main():
             ends, n_done, megabytes = collections.Counter(), 0, 0
             while n_done < 3 and megabytes < 2000:
                 done = subprocess.run([sys.executable, "-B", "-c", CHILD.format(call=call), source, how, str(megabytes)],
-                                      capture_output=True, text=True)
+                                      capture_output=True, text=True, env={**os.environ, "MALLOC_ARENA_MAX": "1"})
                 end = done.stdout.strip() if done.returncode == 0 else f"ended with {done.returncode}: {done.stderr[-300:]}"
                 ends[end] += 1
                 n_done += end == "done"
