@@ -5,12 +5,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <new>
 #include <stdexcept>
 #include <thread>
 
 #include "brash/core/interruption.hpp"
-#include "brash/core/thread_variables.hpp"
 
 namespace brash::python {
 
@@ -41,7 +39,6 @@ class Released {
         raise_end();
         throw pybind11::error_already_set();
       }
-      if (!make_thread_variables()) throw std::bad_alloc();
       ++n_calls;
     }
     Count(const Count&) = delete;
