@@ -10,7 +10,7 @@ soak.py steps BRASH CASE FOLDER [N [SECONDS]]    N [200] generated cases of SECO
                                                  the structure does on it
 soak.py cases BRASH CASE FOLDER [N [FIRST]]      N [10] cases drawn from the schema, from seed FIRST [1] on: they run to their
                                                  end with finite numbers, a closed ledger and a closed balance of energy, if
-                                                 need be with the shorter step that a watchdog's message names, and a run
+                                                 need be with the remedy that a watchdog's message names, and a run
                                                  that is interrupted, or resumed in its middle, leaves the same bytes
 soak.py illegal BRASH CASE FOLDER [N [FIRST]]    N [100] drawn cases with one fault each: the message names file, key, value,
                                                  allowed values and remedy
@@ -271,12 +271,12 @@ def continuation_fault(run, folder, draw, seconds):
     return f"a resumed run has another {', '.join(different)}" if different else ""
 
 
-SHORTER_STEP = re.compile(r"with a shorter step, such as --set time\.step=(\S+)")
+REMEDY = re.compile(r"such as (--set time\.step=\S+) (--set contact\.iterations=\d+)")
 
 
 def end_of_case(brash, folder, seed):
-    """Draws a case and runs it. A watchdog may end a run of long steps: then the step that its message names is taken, up to
-    three times. @return what became of it: "refused", "passed", "shorter step" or "failed", and its fault, or ""."""
+    """Draws a case and runs it. A watchdog may end a run of long steps or few sweeps: then the remedy that its message names is
+    taken, up to three times. @return what became of it: "refused", "passed", "shorter step" or "failed", and its fault, or ""."""
     run, seconds = [brash, "run", folder / "case.toml", "--threads", "1", "-o"], 0.0
 
     def attempt(_):
@@ -294,10 +294,10 @@ def end_of_case(brash, folder, seed):
         return "refused", "" if is_whole else f"refused without allowed values or remedy: {done.stderr}"
     end = "passed"
     for _ in range(3):
-        if done.returncode != 1 or not (remedy := SHORTER_STEP.search(done.stderr)):
+        if done.returncode != 1 or not (remedy := REMEDY.search(done.stderr)):
             break
         end = "shorter step"
-        run[3:] = ["--threads", "1", f"--set=time.step={remedy[1]}", "-o"]
+        run[3:] = ["--threads", "1", *" ".join(remedy.groups()).split(), "-o"]
         done = attempt(file)
     if done.returncode != 0:
         return "failed", f"exit status {done.returncode}: {done.stderr.strip()}"

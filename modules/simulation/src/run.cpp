@@ -370,11 +370,11 @@ std::optional<StepReport> step(const model::Case& resolved, const RunOptions& op
   } catch (const std::bad_alloc&) {
     throw;  // the step is not at fault
   } catch (const std::exception& error) {
-    throw RunError(fmt::format(
-        "step {} failed, from t = {:.9g} s: {}{}\n  remedy:  start the run again with a shorter step, such as "
-        "--set time.step={:.3g}",
-        n_steps + 1, from, error.what(), keep_reproducer(resolved, options, progress, n_steps),
-        0.5 * resolved.time.step));
+    throw RunError(
+        fmt::format("step {} failed, from t = {:.9g} s: {}{}\n  remedy:  start the run again with a shorter step and "
+                    "more sweeps of contacts, such as --set time.step={:.3g} --set contact.iterations={}",
+                    n_steps + 1, from, error.what(), keep_reproducer(resolved, options, progress, n_steps),
+                    0.5 * resolved.time.step, std::min(2 * resolved.contact.iterations, 10'000)));
   }
 }
 
