@@ -270,4 +270,15 @@ BOOST_AUTO_TEST_CASE(random_events_on_a_sheet_lose_nothing) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_region_that_moves_along_straight_sides_leaves_no_vertices_on_them) {
+  IceSheet sheet = sheet_of({{box(0, -1, 10, 1), {}}});
+  for (int i = 0; i < 300; ++i) cut_and_check(sheet, box(-1.0 + 0.01 * i, -0.9, 0.01 * (i + 1), 0.8));
+  BOOST_TEST(sheet.n_vertices() == 8u);
+  const Ring expected =
+      ring(std::vector<Vec2>{{0, -1}, {10, -1}, {10, 1}, {0, 1}, {0, 0.8}, {3, 0.8}, {3, -0.9}, {0, -0.9}});
+  const std::vector<Polygon> whole = sheet.polygons();
+  BOOST_TEST((sheet.area() == signed_area(expected)));
+  BOOST_TEST((whole == std::vector<Polygon>{Polygon{expected, {}}}));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
