@@ -2,6 +2,7 @@
 #include "free_edges.hpp"
 
 #include "brash/core/contract.hpp"
+#include "predicates.hpp"
 
 namespace brash::geometry {
 
@@ -60,6 +61,25 @@ void FreeEdges::free_edge(int id) {
   e = Edge{};
   free_edges_.push_back(id);
   --n_edges_;
+}
+
+void FreeEdges::straighten(Point vertex) {
+  const std::vector<int> starting = starting_at(vertex);
+  if (starting.size() != 1) return;
+  const int second = starting.front(), first = edges_[second].previous;
+  const Point from = edges_[first].from, to = edges_[second].to;
+  if (!is_on_segment(vertex, from, to)) return;
+  const int next = edges_[second].next;
+  Loop& loop = loops_[edges_[first].loop];
+  loop.edge = first;
+  --loop.n_edges;  // the two have the area of the one
+  free_edge(second);
+  index_.remove(first, from, vertex);
+  index_.insert(first, from, to);
+  twice_area_ += exact::cross(from, to) - exact::cross(from, vertex);
+  edges_[first].to = to;
+  edges_[first].next = next;
+  edges_[next].previous = first;
 }
 
 int FreeEdges::add_loop() {

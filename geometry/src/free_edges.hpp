@@ -70,9 +70,10 @@ class FreeEdges {
   bool is_inside(Point p) const;
   bool is_on_boundary(Point p) const;
 
-  /// Replaces edges, and joins those that go on straight at a vertex that it touches. Costs the change and, where loops
-  /// divide or join, the shorter of their parts.
+  /// Replaces edges. Costs the change and, where loops divide or join, the shorter of their parts.
   void apply(const Change& change);
+  /// Makes one edge of two that meet at `vertex` alone and go on straight: the ice keeps its shape.
+  void straighten(Point vertex);
   /// Takes a whole loop out and returns its vertices.
   Ring take_loop(int loop);
   /// The vertices of a loop in its order.
@@ -95,7 +96,6 @@ class FreeEdges {
   void measure(std::vector<Stretch>& stretches);
   void rebuild_loops(std::vector<Stretch>& stretches, const std::vector<int>& added);
   void relabel(const Stretch& stretch, int loop);
-  void straighten(Point vertex);
 
   std::vector<Edge> edges_;
   std::vector<int> free_edges_;

@@ -3,7 +3,6 @@
 
 #include "brash/core/contract.hpp"
 #include "free_edges.hpp"
-#include "predicates.hpp"
 
 namespace brash::geometry {
 
@@ -160,27 +159,6 @@ void FreeEdges::rebuild_loops(std::vector<Stretch>& stretches, const std::vector
   }
 }
 
-/// Makes one edge of two that meet in a vertex of no other edges and go on straight: the ice keeps its shape. Else a
-/// straight side that a region moves along would gain a vertex with every cut.
-void FreeEdges::straighten(Point vertex) {
-  const std::vector<int> starting = starting_at(vertex);
-  if (starting.size() != 1) return;
-  const int second = starting.front(), first = edges_[second].previous;
-  const Point from = edges_[first].from, to = edges_[second].to;
-  if (!is_on_segment(vertex, from, to)) return;
-  const int next = edges_[second].next;
-  Loop& loop = loops_[edges_[first].loop];
-  loop.edge = first;
-  --loop.n_edges;  // the two have the area of the one
-  free_edge(second);
-  index_.remove(first, from, vertex);
-  index_.insert(first, from, to);
-  twice_area_ += exact::cross(from, to) - exact::cross(from, vertex);
-  edges_[first].to = to;
-  edges_[first].next = next;
-  edges_[next].previous = first;
-}
-
 void FreeEdges::apply(const Change& change) {
   // The loops that are touched; they are named again below.
   std::vector<int> touched;
@@ -199,22 +177,18 @@ void FreeEdges::apply(const Change& change) {
   std::vector<int> added;
   added.reserve(change.added.size());
   for (const Directed& directed : change.added) added.push_back(add_edge(directed));
-  std::vector<Point> vertices;
-  vertices.reserve(change.links.size());
   for (const Link& link : change.links) {
     const int in = link.in >= 0 ? link.in : added[~link.in];
     const int out = link.out >= 0 ? link.out : added[~link.out];
     BRASH_EXPECTS(edges_[in].to == edges_[out].from, edges_[in].to.x, edges_[in].to.y);
     edges_[in].next = out;
     edges_[out].previous = in;
-    vertices.push_back(edges_[out].from);
   }
   for (const int id : added) BRASH_EXPECTS(edges_[id].next >= 0 && edges_[id].previous >= 0, edges_[id].from.x);
   rebuild_loops(stretches, added);
   for (const int loop : touched) {
     if (loops_[loop].edge < 0) free_loops_.push_back(loop);
   }
-  for (const Point vertex : vertices) straighten(vertex);
 }
 
 }  // namespace brash::geometry

@@ -75,6 +75,9 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   BRASH_EXPECTS(balance == ExactArea{}, balance.to_string(), cut.snap.to_string(), cut.pieces.size());
   cut.changed = extent_of(boundary, sheet.change);
   boundary.apply(sheet.change);
+  // Else a straight side that regions move along would gain a vertex with each of them.
+  for (const FreeEdges::Directed& edge : sheet.change.added)
+    for (const Point vertex : {edge.from, edge.to}) boundary.straighten(vertex);
   return cut;
 }
 
