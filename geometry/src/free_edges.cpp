@@ -63,16 +63,26 @@ void FreeEdges::free_edge(int id) {
   --n_edges_;
 }
 
-void FreeEdges::straighten(Point vertex) {
+std::optional<FreeEdges::Directed> FreeEdges::straighten(Point vertex) {
   const std::vector<int> starting = starting_at(vertex);
-  if (starting.size() != 1) return;
+  if (starting.size() != 1) return std::nullopt;
   const int second = starting.front(), first = edges_[second].previous;
   const Point from = edges_[first].from, to = edges_[second].to;
-  if (!is_on_segment(vertex, from, to)) return;
-  const int next = edges_[second].next;
+  if (from == to || !exact::meets_pixel(from, to, vertex)) return std::nullopt;
   Loop& loop = loops_[edges_[first].loop];
-  loop.edge = first;
-  --loop.n_edges;  // the two have the area of the one
+  const Int128 area = loop.twice_area - turn(from, vertex, to);
+  if (area == 0 || (area > 0) != (loop.twice_area > 0)) return std::nullopt;
+  bool is_free = true;
+  query(Box::of(from, to), [&](int id) {
+    const Edge& other = edges_[id];
+    const auto meets = [&](Point p) { return p != from && p != to && exact::meets_pixel(from, to, p); };
+    if (id == first || id == second) return;
+    is_free = is_free && !meets(other.from) && !meets(other.to) && (other.from != to || other.to != from) &&
+              !exact::cross_properly(from, to, other.from, other.to);
+  });
+  if (!is_free) return std::nullopt;
+  const int next = edges_[second].next;
+  loop = {first, loop.n_edges - 1, area};
   free_edge(second);
   index_.remove(first, from, vertex);
   index_.insert(first, from, to);
@@ -80,6 +90,7 @@ void FreeEdges::straighten(Point vertex) {
   edges_[first].to = to;
   edges_[first].next = next;
   edges_[next].previous = first;
+  return Directed{from, to};
 }
 
 int FreeEdges::add_loop() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -72,8 +73,9 @@ class FreeEdges {
 
   /// Replaces edges. Costs the change and, where loops divide or join, the shorter of their parts.
   void apply(const Change& change);
-  /// Makes one edge of two that meet at `vertex` alone and go on straight: the ice keeps its shape.
-  void straighten(Point vertex);
+  /// Makes one edge of two that meet at `vertex` alone, if it comes through the vertex's pixel and meets nothing else.
+  /// @return that edge.
+  std::optional<Directed> straighten(Point vertex);
   /// Takes a whole loop out and returns its vertices.
   Ring take_loop(int loop);
   /// The vertices of a loop in its order.

@@ -48,11 +48,14 @@ Extent extent_of(const FreeEdges& boundary, const FreeEdges::Change& change) {
   return extent;
 }
 
-}  // namespace
+/// A cut, and the vertices of the edges that it made.
+struct Taken {
+  Cut cut;
+  std::vector<Point> vertices;
+};
 
-Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) {
+Taken take(FreeEdges& boundary, std::span<const Point> region, std::span<const Crack> cracks) {
   expect_region(region);
-  FreeEdges& boundary = impl_->boundary;
   std::optional<Noding> noding;
   std::optional<Arrangement> arrangement;
   Arrangement::Cracks inside{cracks_inside(region, cracks)};
@@ -75,9 +78,32 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   BRASH_EXPECTS(balance == ExactArea{}, balance.to_string(), cut.snap.to_string(), cut.pieces.size());
   cut.changed = extent_of(boundary, sheet.change);
   boundary.apply(sheet.change);
-  // Else a straight side that regions move along would gain a vertex with each of them.
-  for (const FreeEdges::Directed& edge : sheet.change.added)
-    for (const Point vertex : {edge.from, edge.to}) boundary.straighten(vertex);
+  Taken taken{std::move(cut), {}};
+  for (const FreeEdges::Directed& edge : sheet.change.added) {
+    taken.vertices.push_back(edge.from);
+    taken.vertices.push_back(edge.to);
+  }
+  return taken;
+}
+
+}  // namespace
+
+Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) {
+  return take(impl_->boundary, region, cracks).cut;
+}
+
+Cut IceSheet::crush(std::span<const Point> region) {
+  FreeEdges& boundary = impl_->boundary;
+  auto [cut, vertices] = take(boundary, region, {});
+  for (const Point vertex : vertices) {
+    const Int128 before = boundary.twice_area();
+    const auto edge = boundary.straighten(vertex);
+    if (!edge || boundary.twice_area() == before) continue;
+    cut.snap += ExactArea(before - boundary.twice_area());
+    ++cut.n_rounded;
+    cut.changed.add(metres(edge->from));
+    cut.changed.add(metres(edge->to));
+  }
   return cut;
 }
 

@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       std::vector<Crack> cracks;
       for (int k = 0; k < what % 4; ++k) cracks.push_back({bytes.point(spacing), bytes.point(spacing)});
       if (region.empty()) continue;
-      const Cut cut = sheet.cut(region, cracks);
+      const Cut cut = what / 32 % 2 == 0 ? sheet.cut(region, cracks) : sheet.crush(region);
       if (before != sheet.area() + total(cut.pieces) + cut.snap) std::abort();
     }
     sheet.check();

@@ -31,13 +31,22 @@ ExactArea total(const std::vector<Polygon>& polygons) {
   return sum;
 }
 
-/// Cuts and checks that nothing is lost, to the last unit.
-Cut cut_and_check(IceSheet& sheet, const Ring& region, std::vector<Crack> cracks = {}) {
+/// Checks that a cut loses nothing, to the last unit.
+template <typename Take>
+Cut check_cut(IceSheet& sheet, Take take) {
   const ExactArea before = sheet.area();
-  Cut cut = sheet.cut(region, cracks);
+  Cut cut = take();
   BOOST_TEST((before == sheet.area() + total(cut.pieces) + cut.snap));
   sheet.check();
   return cut;
+}
+
+Cut cut_and_check(IceSheet& sheet, const Ring& region, std::vector<Crack> cracks = {}) {
+  return check_cut(sheet, [&] { return sheet.cut(region, cracks); });
+}
+
+Cut crush_and_check(IceSheet& sheet, const Ring& region) {
+  return check_cut(sheet, [&] { return sheet.crush(region); });
 }
 
 }  // namespace
@@ -272,13 +281,31 @@ BOOST_AUTO_TEST_CASE(random_events_on_a_sheet_lose_nothing) {
 
 BOOST_AUTO_TEST_CASE(a_region_that_moves_along_straight_sides_leaves_no_vertices_on_them) {
   IceSheet sheet = sheet_of({{box(0, -1, 10, 1), {}}});
-  for (int i = 0; i < 300; ++i) cut_and_check(sheet, box(-1.0 + 0.01 * i, -0.9, 0.01 * (i + 1), 0.8));
+  for (int i = 0; i < 300; ++i) crush_and_check(sheet, box(-1.0 + 0.01 * i, -0.9, 0.01 * (i + 1), 0.8));
   BOOST_TEST(sheet.n_vertices() == 8u);
   const Ring expected =
       ring(std::vector<Vec2>{{0, -1}, {10, -1}, {10, 1}, {0, 1}, {0, 0.8}, {3, 0.8}, {3, -0.9}, {0, -0.9}});
   const std::vector<Polygon> whole = sheet.polygons();
   BOOST_TEST((sheet.area() == signed_area(expected)));
   BOOST_TEST((whole == std::vector<Polygon>{Polygon{expected, {}}}));
+}
+
+BOOST_AUTO_TEST_CASE(a_region_that_moves_along_oblique_sides_leaves_few_vertices_on_them) {
+  for (const double degrees : {7.0, 30.0, 45.0, 61.3}) {
+    IceSheet sheet = sheet_of({{box(0, -5, 10, 20), {}}});
+    const Vec2 along{std::cos(radians(degrees)), std::sin(radians(degrees))}, across{-along.y, along.x};
+    ExactArea released, snap;
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 front = (0.01 * i - 0.5) * along;
+      const Vec2 corners[] = {front - 3.0 * along - across, front - across, front + across,
+                              front - 3.0 * along + across};
+      const Cut cut = crush_and_check(sheet, ring(corners));
+      released += total(cut.pieces);
+      snap += cut.snap;
+    }
+    BOOST_TEST(sheet.n_vertices() < 30u);
+    BOOST_TEST(std::abs(snap.square_metres()) < 1e-7);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

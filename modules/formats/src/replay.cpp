@@ -68,7 +68,7 @@ std::vector<geometry::Polygon> SheetReplay::at(const model::Frame& frame) {
   const structure::Footprint footprint = replay_.hull->footprint(frame.structure, 0.0, 0.0);
   std::vector<geometry::Polygon> all;
   for (IceSheet& sheet : sheets_) {
-    for (const structure::Outline& outline : footprint.leading) sheet.cut(geometry::ring(outline));
+    for (const structure::Outline& outline : footprint.leading) sheet.crush(geometry::ring(outline));
     sheet.release_detached();
     std::ranges::move(sheet.polygons(), std::back_inserter(all));
   }

@@ -143,15 +143,21 @@ std::vector<geometry::Polygon> Field::outlines() const {
 }
 
 /// Cuts a plate and books its loss; where the pieces go is still to be booked.
-geometry::Cut Field::cut(Plate& plate, std::span<const geometry::Point> region,
-                         std::span<const geometry::Crack> cracks) {
+/// What `take` cuts from the sheet, booked but for the pieces.
+template <typename Take>
+geometry::Cut Field::booked(Plate& plate, Take take) {
   const geometry::ExactArea before = plate.area();
   const geometry::ExactArea laid = plate.sheet().area();  // vertices near another edge are rounded on their way in
-  geometry::Cut cut = plate.sheet().cut(region, cracks);
+  geometry::Cut cut = take(plate.sheet());
   account_of(plate) += plate.area() - before;
   ledger_.snap += before - laid + cut.snap;
   ledger_.n_rounded += cut.n_rounded;
   return cut;
+}
+
+geometry::Cut Field::cut(Plate& plate, std::span<const geometry::Point> region,
+                         std::span<const geometry::Crack> cracks) {
+  return booked(plate, [&](geometry::IceSheet& sheet) { return sheet.cut(region, cracks); });
 }
 
 geometry::ExactArea& Field::account_of(const Plate& plate) {
@@ -159,7 +165,7 @@ geometry::ExactArea& Field::account_of(const Plate& plate) {
 }
 
 geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> section) {
-  const geometry::Cut crushed = cut(plate, section, {});
+  const geometry::Cut crushed = booked(plate, [&](geometry::IceSheet& sheet) { return sheet.crush(section); });
   ledger_.crushed += total(crushed.pieces);
   return crushed.changed;
 }

@@ -92,6 +92,8 @@ class Field {
   void to_deleted(const Plate& floe);
 
  private:
+  template <typename Take>
+  geometry::Cut booked(Plate& plate, Take take);
   geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
   std::vector<geometry::Polygon> take_severed(Plate& plate, Broken& result);
   std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
