@@ -29,7 +29,7 @@ import tables
 from case_numbers import collect
 from inputs import BadInput, Prediction
 
-PRESET_OF = {"literal": "paper"}  # rows named "paper" are of a preset that has another name by now
+PRESET_OF = {"literal": "paper"}  # the program's; rows named "paper" are of the second reading (README.md)
 ALL = ["m1", "m1b", "m2", "m3", "m3b", "m4", "m5", "m5b", "m7", *(f"m6/s{i}" for i in range(1, 11)), "table1", "exponents"]
 
 

@@ -276,7 +276,7 @@ REMEDY = re.compile(r"such as (--set time\.step=\S+) (--set contact\.iterations=
 
 def end_of_case(brash, folder, seed):
     """Draws a case and runs it. A watchdog may end a run of long steps or few sweeps: then the remedy that its message names is
-    taken, up to three times. @return what became of it: "refused", "passed", "shorter step" or "failed", and its fault, or ""."""
+    taken, up to three times. @return what became of it: "refused", "passed", "remedied" or "failed", and its fault, or ""."""
     run, seconds = [brash, "run", folder / "case.toml", "--threads", "1", "-o"], 0.0
 
     def attempt(_):
@@ -296,7 +296,7 @@ def end_of_case(brash, folder, seed):
     for _ in range(3):
         if done.returncode != 1 or not (remedy := REMEDY.search(done.stderr)):
             break
-        end = "shorter step"
+        end = "remedied"
         run[3:] = ["--threads", "1", *" ".join(remedy.groups()).split(), "-o"]
         done = attempt(file)
     if done.returncode != 0:

@@ -142,8 +142,7 @@ std::vector<geometry::Polygon> Field::outlines() const {
   return all;
 }
 
-/// Cuts a plate and books its loss; where the pieces go is still to be booked.
-/// What `take` cuts from the sheet, booked but for the pieces.
+/// Books the loss of a plate of whose sheet `take` cuts; where the pieces go is still to be booked.
 template <typename Take>
 geometry::Cut Field::booked(Plate& plate, Take take) {
   const geometry::ExactArea before = plate.area();

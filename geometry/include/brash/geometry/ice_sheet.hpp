@@ -92,8 +92,8 @@ class IceSheet {
   /// @throws ContractViolation when the region is not such a ring or the areas do not close; the sheet is unchanged.
   Cut cut(std::span<const Point> region, std::span<const Crack> cracks = {});
 
-  /// As cut(), of ice that is ground: where the new edges go on straight, but for the rounding, their vertices go, and
-  /// the pieces fit the sheet but for that. Else a side that regions move along gains vertices with each of them.
+  /// As cut(), for ice that is crushed: vertices at which the new edges go on straight within the rounding are removed,
+  /// so a side that regions move along stays one edge. `snap` holds the area; the pieces may miss the sheet by as much.
   Cut crush(std::span<const Point> region);
 
   /// Takes every part but the largest out of the sheet: ice that a cut has broken off. Costs nothing while the sheet
