@@ -73,6 +73,10 @@ class Reader {
 
   void read_section(const std::string& section, const toml::node& node) {
     const std::vector<std::string> sections = names(schema_.sections());
+    if (!schema_.sections().contains(section) && !node.is_table() && !node.is_array_of_tables()) {
+      problems_.push_back(key_outside(section, node));
+      return;
+    }
     if (!schema_.sections().contains(section)) {
       const std::string nearest = nearest_name(section, sections);
       problems_.push_back({place_of(source_, section), "[" + section + "]", "", "is not a known section",
@@ -120,13 +124,31 @@ class Reader {
     return value && key_schema.contains("default") && *value == Json(key_schema.at("default"));
   }
 
+  /// `name` with the first section that has such a key; empty if none has.
+  std::string with_section(const std::string& name) const {
+    for (const std::string& section : names(schema_.sections()))
+      if (has_keys(section) && schema_.keys(section).contains(name)) return section + "." + name;
+    return "";
+  }
+
+  /// A key before the first section, where no key belongs.
+  Problem key_outside(const std::string& name, const toml::node& node) const {
+    const std::string nearest = with_section(name);
+    return {place_of(source_, name),
+            name,
+            value_text(node),
+            "stands outside the sections",
+            "keys below a line `[section]`",
+            nearest,
+            nearest.empty() ? "remove it, or write it below the line of its section"
+                            : fmt::format("write it below the line `[{}]`", nearest.substr(0, nearest.rfind('.')))};
+  }
+
   Problem unknown_key(const std::string& section, const std::string& name, const toml::key& key,
                       const toml::node& node) {
     const std::vector<std::string> keys = names(schema_.keys(section));
     // The same name in another section is nearer than a similar name in this one.
-    std::string nearest;
-    for (const std::string& other : names(schema_.sections()))
-      if (nearest.empty() && has_keys(other) && schema_.keys(other).contains(name)) nearest = other + "." + name;
+    std::string nearest = with_section(name);
     if (nearest.empty() && !nearest_name(name, keys).empty()) nearest = section + "." + nearest_name(name, keys);
 
     Problem problem{place_of(source_, section, name),

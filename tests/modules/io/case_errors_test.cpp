@@ -58,6 +58,15 @@ BOOST_AUTO_TEST_CASE(a_key_in_the_wrong_section_names_the_right_one) {
   check_has(message_of(with_more("thickness = 1\n")), {"bad.toml:17:1: time.thickness = 1", "nearest: ice.thickness"});
 }
 
+BOOST_AUTO_TEST_CASE(a_key_above_all_sections_names_its_section) {
+  check_has(message_of("preset = \"paper\"\n" + std::string(kLeastCase)),
+            {"bad.toml:1:10: preset = \"paper\": stands outside the sections", "nearest: algorithm.preset",
+             "remedy:  write it below the line `[algorithm]`"});
+  check_has(
+      message_of("colour = 3\n" + std::string(kLeastCase)),
+      {"colour = 3: stands outside the sections", "remedy:  remove it, or write it below the line of its section"});
+}
+
 BOOST_AUTO_TEST_CASE(an_unknown_section_names_the_nearest_one) {
   check_has(
       message_of(with_more("[hidrodynamics]\nform_drag = 1\n")),
