@@ -237,6 +237,8 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
   if (choice.to && std::isnan(*choice.to))
     throw InputError(Complaint{path, fmt::format("--to {} is not a time", *choice.to), "seconds", "give a number"});
   refuse_other_files(path);
+  const model::Origin origin =
+      io::origin_of_history(path);  // reads a whole file, which is not to lie beside the series
   io::Series series = io::read_series(path, choice.missing);
   if (choice.notes)
     for (const std::string& note : series.notes) choice.notes(path + ": " + note);
@@ -253,7 +255,7 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
     loads.push_back(history_of(series, path, wanted[i], choice, i + 1 == wanted.size()));
   for (LoadHistory& load : loads) {
     load.warnings = io::warnings_beside(path);
-    load.origin = io::origin_of_history(path);
+    load.origin = origin;
   }
   return loads;
 }

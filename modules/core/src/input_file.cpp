@@ -66,7 +66,10 @@ void for_each_block(const std::string& path, const std::string& kind, std::size_
 }  // namespace
 
 std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes) {
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(path, ignored);
   std::string text;
+  if (!ignored) text.reserve(std::min<std::size_t>(size, most_mebibytes << 20));  // growth would take up twice as much
   for_each_block(path, kind, most_mebibytes, [&](std::string_view block) { text += block; });
   return text;
 }
