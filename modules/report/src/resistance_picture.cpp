@@ -79,28 +79,30 @@ std::string resistance_chart(const Lines& lines, const ordered_json& resistance,
   return chart.svg();
 }
 
-std::string attained_chart(const ordered_json& attained) {
-  Samples thicknesses, speeds;
-  std::vector<Samples> ends;
-  for (const ordered_json& entry : attained) {
+std::string attained_chart(const ordered_json& resistance) {
+  const auto line_thicknesses = resistance["attained_line"]["thickness"].get<Samples>();
+  const auto line_speeds = resistance["attained_line"]["speed"].get<Samples>();
+  Samples thicknesses = line_thicknesses, speeds = line_speeds;
+  std::vector<std::pair<double, Samples>> points;  // thickness; speed, and the ends of its interval
+  for (const ordered_json& entry : resistance["attained"]) {
     if (!entry["speed"].is_number()) continue;
-    thicknesses.push_back(entry["thickness"].get<double>());
-    speeds.push_back(entry["speed"].get<double>());
+    const double speed = entry["speed"].get<double>();
     const auto end = [&](std::size_t i) {
       const ordered_json& value = entry["speed_95"][i];
-      return value.is_number() ? value.get<double>() : speeds.back();
+      return value.is_number() ? value.get<double>() : speed;
     };
-    ends.push_back({end(0), end(1)});
+    points.push_back({entry["thickness"].get<double>(), {speed, end(0), end(1)}});
+    thicknesses.push_back(points.back().first);
+    speeds.insert(speeds.end(), {end(0), end(1)});
   }
   if (thicknesses.empty()) return "";
-  double fastest = 0.0;
-  for (const Samples& of : ends) fastest = std::max(fastest, of[1]);
   Chart chart(575.0, 30.0, 380.0, 300.0, "speed that the thrust attains, 95 %",
-              {"ice [m]", 0.0, upper_end(0.0, thicknesses.back())}, {"speed [m/s]", 0.0, upper_end(0.0, fastest)});
-  chart.line(thicknesses, speeds, kLineColours[0], 1.5);
-  for (std::size_t i = 0; i < thicknesses.size(); ++i) {
-    chart.point(thicknesses[i], speeds[i], kLineColours[0], 3.0);
-    chart.line({thicknesses[i], thicknesses[i]}, ends[i], kLineColours[0]);
+              {"ice [m]", 0.0, upper_end(0.0, std::ranges::max(thicknesses))},
+              {"speed [m/s]", 0.0, upper_end(0.0, std::ranges::max(speeds))});
+  chart.line(line_thicknesses, line_speeds, kLineColours[0], 1.5);
+  for (const auto& [thickness, of] : points) {
+    chart.point(thickness, of[0], kLineColours[0], 3.0);
+    chart.line({thickness, thickness}, {of[1], of[2]}, kLineColours[0]);
   }
   return chart.svg();
 }
@@ -126,7 +128,7 @@ std::string resistance_picture(const ordered_json& resistance, const std::option
   for (const ordered_json& point : resistance["points"]) all.push_back(point["resistance"].get<double>());
   const analysis::TableUnit unit = analysis::unit_for(all, "N");
   const Lines lines = lines_of(resistance["points"], unit.one);
-  const std::string attained = thrust ? attained_chart(resistance["attained"]) : "";
+  const std::string attained = thrust ? attained_chart(resistance) : "";
   return svg_page(attained.empty() ? 500.0 : 1000.0, 390.0 + kLegendLine * static_cast<double>(lines.size() + 1),
                   resistance_chart(lines, resistance, thrust, unit) + attained + legend(lines, thrust.has_value()));
 }

@@ -116,6 +116,13 @@ class Resistance(unittest.TestCase):
         self.assertEqual((thin["speed"], thin["outside"]), (None, "above"))  # 159 kN at 4 m/s, the thrust is 367
         self.assertAlmostEqual(middle["speed"], root(lambda v: thrust(v) - between(curve(0.8), v), 1.0, 4.0), 6)
         self.assertAlmostEqual(thick["speed"], root(lambda v: thrust(v) - between(curve(1.2), v), 1.0, 4.0), 6)
+        line = list(zip(found["attained_line"]["thickness"], found["attained_line"]["speed"]))
+        for h, v in ((0.8, middle["speed"]), (1.2, thick["speed"])):
+            self.assertAlmostEqual(between(line, h), v, 6)
+        between_points = lambda h, v: between([(x, between(curve(x), v)) for x in THICKNESSES], h)
+        for h in (0.784, 1.0):
+            self.assertAlmostEqual(between(line, h), root(lambda v: thrust(v) - between_points(h, v), 1.0, 4.0), 6)
+        self.assertGreater(min(h for h, _ in line), 0.4)  # where the fastest run has thrust left, nothing is known
         across = [(h, between(curve(h), at_speed)) for h in THICKNESSES]
         self.assertEqual(found["thickness_at"]["outside"], "above")  # 440 kN in 1.2 m, the thrust is 503
         weak = self.json(self.folder, "--bollard-pull", 3e5, "--open-water-speed", 8, "--at-speed", at_speed)
