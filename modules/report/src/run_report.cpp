@@ -237,7 +237,6 @@ void add_run(Blocks& blocks, const model::Case& resolved, PageResults& page) {
 
 /// The run's files as JSON, its arrays in `blocks` under names that begin with `prefix`.
 ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& blocks) {
-  const std::string loads = run.loads();  // reads the whole file, which is not to lie beside the results
   PageResults page = read_for_page(run.directory + "/run.nc");
   const ordered_json summary = read_json(run.directory + "/summary.json");
   if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
@@ -252,9 +251,9 @@ ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& b
           {"summary", summary},
           {"closed_forms", ordered_json::parse(run.closed_forms)},
           {"drawn_rows", {{"n", page.results.loads.size()}, {"span", page.history.span()}}},
-          {"loads",
-           drawn_statistics(ordered_json::parse(loads), page.history.samples(), summary.value("statistics_from", 0.0),
-                            summary.value("statistics_until", std::numeric_limits<double>::infinity()), blocks)}};
+          {"loads", drawn_statistics(
+                        ordered_json::parse(run.loads()), page.history.samples(), summary.value("statistics_from", 0.0),
+                        summary.value("statistics_until", std::numeric_limits<double>::infinity()), blocks)}};
 }
 
 /// The measured history: its name and statistics as JSON, its samples as blocks.
