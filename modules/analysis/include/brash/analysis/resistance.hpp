@@ -60,7 +60,8 @@ class NetThrust {
 ///   coverage of the bottom, the closed forms, and whether the mean is `steady`, with the reason where it is not;
 /// - `fit`: R = k h^b v^n over all runs;
 /// - with a thrust `attained`, the speed at each thickness, `attained_line`, the speed over the thickness, and
-///   `thickness_at`, the thickness at `at_speed` [m/s]. Means are joined by straight lines, and nothing is extrapolated.
+///   `thickness_at`, the thickness at `at_speed` [m/s]. Means are joined by straight lines, and nothing is
+///   extrapolated.
 ///
 /// @throws InputError when `campaign` is not a campaign of a ship with finished cases, or has two settings of one
 ///         thickness and speed.
