@@ -16,12 +16,4 @@ constexpr Int128 turn(Point a, Point b, Point c) {
 /// -1, 0 or 1: `c` right of, on or left of the line a -> b. This is CGAL::orientation on doubles, exact up to 2^53.
 int side(Point a, Point b, Point c);
 
-/// True when `p` lies on the closed segment from `a` to `b`.
-inline bool is_on_segment(Point p, Point a, Point b) {
-  const auto between = [](std::int64_t v, std::int64_t s, std::int64_t t) {
-    return s <= t ? s <= v && v <= t : t <= v && v <= s;
-  };
-  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && side(a, b, p) == 0;
-}
-
 }  // namespace brash::geometry

@@ -143,10 +143,6 @@ Place place_in(const CaseSource& source, const std::string& name, const toml::so
 
 }  // namespace
 
-CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides, const std::string& kind) {
-  return parse_source(read_text(path, kind), path, overrides);
-}
-
 void lift_subsections(toml::table& tree) {
   std::vector<std::pair<std::string, std::string>> found;
   for (const auto& [section, node] : tree)

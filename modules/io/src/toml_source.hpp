@@ -19,13 +19,10 @@ struct CaseSource {
   std::map<std::string, Place> overridden;
 };
 
-/// Reads a case file, or another `kind` of file, and applies `section.key=value` overrides.
-/// @throws InputError  unreadable, larger than 1 MiB, nested too deeply, not TOML, a malformed override.
-CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides,
-                       const std::string& kind = "case file");
 /// The text of a file of at most 1 MiB. @throws InputError when it is unreadable or larger.
 std::string read_text(const std::string& path, const std::string& kind);
-/// As read_source() for a text; `path` names it in messages.
+/// The tree of a text, with `section.key=value` overrides applied; `path` names it in messages.
+/// @throws InputError  nested too deeply, not TOML, a malformed override.
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 /// Puts the sections within sections of a case beside them, under their whole names.
 void lift_subsections(toml::table& tree);

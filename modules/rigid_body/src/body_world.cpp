@@ -119,7 +119,6 @@ void BodyWorld::remove(BodyId id) {
   if (body.in_plane)
     for (const auto& part : bodies) BRASH_EXPECTS(part->sheet != &body, "a sheet goes after its parts", id.index);
   links_.forget(body);
-  std::erase_if(given_, [&](const GivenContact& c) { return c.body == id || c.other == id; });
   removeRigidBody(body.bullet.get());
   list_as_moving(body, false);
   by_index_[id.index] = nullptr;
@@ -198,7 +197,6 @@ void BodyWorld::step(double dt) {
   links_.prepare(dt);
   stepSimulation(dt, 0);
   links_.measure();
-  given_.clear();
 }
 
 namespace {

@@ -58,8 +58,6 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   const std::vector<ContactLoad>& loads_of_sheets() const { return loads_of_sheets_; }
   double last_change() const { return last_change_; }
   Links& links() { return links_; }
-  /// For the next step.
-  void add_contact(const GivenContact& contact) { given_.push_back(contact); }
   /// Fills Body::near of each of the floes with the parts of other bodies within `reach` [m] of its own.
   void find_near(std::span<const BodyId> floes, double reach);
 
@@ -74,8 +72,6 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   /// The pairs that Bullet's broad phase knows now, in the order of the step. The first is a floe, or both are parts of
   /// sheets.
   const std::vector<BodyPair>& sorted_pairs();
-  /// Contacts of this step that were found outside the world.
-  const std::vector<GivenContact>& given() const { return given_; }
   /// The bodies in the order of the step.
   const std::vector<Body*>& order() const { return order_; }
   /// How much larger than its parts a box is, at least [m].
@@ -136,7 +132,6 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   std::vector<std::vector<BodyPair>> some_pairs_;  ///< scratch: of each chunk of the pairs that Bullet knows
   std::vector<std::size_t> of_first_;              ///< scratch of sorted_pairs
   std::vector<BodyPair> pairs_;
-  std::vector<GivenContact> given_;
   Links links_{*this};
   std::unique_ptr<btOverlapFilterCallback> filter_;  ///< of pairs, once a sheet drifts
 };

@@ -114,8 +114,6 @@ class BoundedSolver {
     return solve(iterations, still, alone);
   }
 
-  /// As it was added.
-  Twist twist_before(std::uint32_t body) const { return bodies_[body].twist; }
   Twist twist(std::uint32_t body) const;
   /// Velocity of the position alone, in this step, that takes overlaps back (split impulse).
   Twist parting(std::uint32_t body) const;

@@ -44,7 +44,6 @@ void ContactSet::find(std::span<const Meeting> meetings, btDispatcher& dispatche
     for (std::size_t i = begin; i < end; ++i)
       find(meetings[i], dispatcher, searches_[static_cast<std::size_t>(worker)], found_[begin / kFloes]);
   });
-  given_.clear();
   contacts_.clear();
   for (const Found& found : found_)
     for (const Contact& contact : found.contacts) contacts_.push_back(&contact);
@@ -152,28 +151,6 @@ std::vector<Body*> ContactSet::settled_and_hit(const BoundedSolver& solver) cons
     if (is_of_struck_and_settled(*c) && closes_fast(*c, twist(*c->first), twist(*c->second)))
       hit.push_back(c->first->settled ? c->first : c->second);
   return hit;
-}
-
-void ContactSet::add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body) {
-  for (const GivenContact& g : given) {
-    Body* const other = g.other == kNoBody ? &ground_ : find_body(g.other);
-    Patch patch{.area = g.area, .n_points = 1};
-    patch.points[0] = {g.point, g.area};
-    Body* const body = find_body(g.body);
-    given_.push_back({body,
-                      other,
-                      0,
-                      g.normal,
-                      patch,
-                      {g.friction, g.most_normal_force / g.area},
-                      body->gives_way() || other->gives_way()});
-  }
-  std::sort(given_.begin(), given_.end(), [](const Contact& a, const Contact& b) {
-    const Vec3 &p = a.patch.points[0].position, &q = b.patch.points[0].position;
-    return std::tie(a.first->rank, a.second->rank, p.x, p.y, p.z) <
-           std::tie(b.first->rank, b.second->rank, q.x, q.y, q.z);
-  });
-  for (const Contact& contact : given_) contacts_.push_back(&contact);
 }
 
 /// Overlap of breakable ice is crushed ice: nothing pushes it apart.

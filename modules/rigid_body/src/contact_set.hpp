@@ -3,7 +3,6 @@
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,8 +22,7 @@ class ContactSet {
         ice_ice_(settings.ice_ice),
         bed_(settings.bed),
         release_speed_(settings.release_speed) {
-    ground_.id = bed_body_.id = kNoBody;
-    ground_.kind = BodyKind::kSheet;
+    bed_body_.id = kNoBody;
     bed_body_.kind = BodyKind::kBed;
     if (!bed_) return;
     bed_body_.twist.linear = {bed_->velocity.x, bed_->velocity.y, 0.0};
@@ -44,8 +42,6 @@ class ContactSet {
   void find_on_bed(std::span<Body* const> bodies, Workers& workers);
   /// The bed for a solver, if it moves; else none, and it is BoundedSolver::kFixed.
   Body* moving_bed() { return bed_body_.twist == Twist{} ? nullptr : &bed_body_; }
-  /// Adds contacts that were found elsewhere; of bodies in the order of the step.
-  void add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body);
   /// The settled floes that another body runs into faster than WorldSettings::release_speed.
   std::vector<Body*> settled_and_hit() const;
   /// All contacts, or without the contacts of struck floes with settled ones.
@@ -61,7 +57,7 @@ class ContactSet {
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers);
 
  private:
-  /// A contact of two parts, or one that was given.
+  /// A contact of two parts.
   struct Contact {
     /// A pair of floes is reported from the lower id.
     bool reported_turned() const { return first->is_floe() && second->is_floe() && second->id < first->id; }
@@ -134,13 +130,11 @@ class ContactSet {
   ContactLaw ice_structure_;
   ContactLaw ice_ice_;
   std::optional<Bed> bed_;
-  double release_speed_;                      ///< [m/s]
-  Body ground_;                               ///< takes a given contact without another body
-  Body bed_body_;                             ///< the bed as the other body of its contacts
-  std::vector<Search> searches_;              ///< of each worker
-  std::vector<Found> found_;                  ///< of each chunk of floes
-  std::vector<std::vector<Contact>> on_bed_;  ///< of each chunk of bodies
-  std::vector<Contact> given_;
+  double release_speed_;                          ///< [m/s]
+  Body bed_body_;                                 ///< the bed as the other body of its contacts
+  std::vector<Search> searches_;                  ///< of each worker
+  std::vector<Found> found_;                      ///< of each chunk of floes
+  std::vector<std::vector<Contact>> on_bed_;      ///< of each chunk of bodies
   std::vector<const Contact*> solved_;            ///< those that the solver knows
   std::vector<const Contact*> contacts_;          ///< all, in the order of the step
   std::vector<std::size_t> of_body_;              ///< scratch of report: where the contacts of each body begin

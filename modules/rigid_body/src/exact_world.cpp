@@ -100,7 +100,6 @@ void ExactWorld::find_contacts() {
   contacts_.find(meetings_, dispatcher, workers());
   between_sheets_.find(pairs_of_sheets_);
   contacts_.find_on_bed(order(), workers());
-  contacts_.add(given(), [this](BodyId id) { return &get(id); });
 }
 
 void ExactWorld::calculateSimulationIslands() { getSimulationIslandManager()->initUnionFind(0); }

@@ -127,18 +127,6 @@ LinkId World::moor(const Anchor& anchor, Vec3 place, const LinkLaw& law) {
 void World::unlink(LinkId id) { world_->links().remove(id); }
 const std::vector<LinkLoad>& World::links() const { return world_->links().loads(); }
 
-void World::add_contact(const GivenContact& contact) {
-  const auto moves = [&](BodyId id) { return id != kNoBody && world_->get(id).is_free(); };
-  BRASH_EXPECTS(world_->settings().engine == Engine::kBrash, "contacts from outside need the engine kBrash");
-  BRASH_EXPECTS(contact.body != kNoBody && contact.body != contact.other, contact.body.index, contact.other.index);
-  BRASH_EXPECTS(std::abs(norm(contact.normal) - 1.0) < 1e-9, "normal is not a unit vector", norm(contact.normal));
-  BRASH_EXPECTS(contact.area > 0.0 && contact.most_normal_force >= 0.0 && contact.friction >= 0.0, contact.area,
-                contact.most_normal_force, contact.friction);
-  BRASH_EXPECTS(moves(contact.body) || moves(contact.other) || std::isfinite(contact.most_normal_force),
-                "nothing bounds the force between bodies that nothing moves");
-  world_->add_contact(contact);
-}
-
 void World::remove(BodyId id) { world_->remove(id); }
 
 void World::set_settled(BodyId id, bool settled) {

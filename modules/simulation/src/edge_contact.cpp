@@ -295,20 +295,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
   return contacts;
 }
 
-std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact> contacts, BodyId structure,
-                                                     double friction) {
-  std::vector<rigid_body::GivenContact> given;
-  for (const EdgeContact& contact : contacts)
-    if (contact.bound > 0.0)
-      given.push_back({.body = structure,
-                       .point = contact.point,
-                       .normal = -contact.normal,
-                       .area = contact.area,
-                       .most_normal_force = contact.bound,
-                       .friction = friction});
-  return given;
-}
-
 std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing) {
   if (bearing.weight == 0.0) return std::nullopt;

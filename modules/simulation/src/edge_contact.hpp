@@ -113,12 +113,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
                                        const structure::State& state,
                                        const std::function<double(const Touch&)>& shift_of = {});
 
-/// The contacts of a structure that is a body with mass, as the solver takes them: each acts on the structure and on
-/// the ice, which does not yield, and carries its crushing force at most. Contacts that crush nothing are left out.
-/// @param friction  Coulomb coefficient of ice and structure [-].
-std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact> contacts, BodyId structure,
-                                                     double friction);
-
 /// The edge under a floe that presses on it; nothing where it hardly presses.
 ///
 /// The mean forces are taken as the line load of the failure model: N along the floe's thrust, f across it, |P| the

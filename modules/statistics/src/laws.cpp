@@ -3,13 +3,11 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "brash/core/contract.hpp"
-#include "gsl_checked.hpp"
 
 namespace brash::statistics {
 namespace {
@@ -36,12 +34,6 @@ double gev_exceedance(double shape, double z) {
   const double w = log_term(shape, z);
   if (std::isnan(w)) return shape > 0.0 ? 1.0 : 0.0;
   return -std::expm1(-std::exp(-w));
-}
-
-double log_likelihood(const LawFit& fit) {
-  double sum = 0.0;
-  for (const double value : fit.values) sum += fit.distribution.log_density(value);
-  return sum;
 }
 
 }  // namespace
@@ -98,13 +90,6 @@ double Distribution::log_density(double x) const {
   }
   if (law == Law::kWeibull) return std::log(shape / scale) + (shape - 1.0) * std::log(z) - std::pow(z, shape);
   return std::log(z / scale) - 0.5 * z * z;
-}
-
-TestResult shape_test(const LawFit& gev, const LawFit& gumbel) {
-  BRASH_EXPECTS(gev.values.size() == gumbel.values.size(), gev.values.size(), gumbel.values.size());
-  quiet_gsl();
-  const double ratio = std::max(0.0, 2.0 * (log_likelihood(gev) - log_likelihood(gumbel)));
-  return {ratio, gsl_cdf_chisq_Q(ratio, 1.0)};
 }
 
 }  // namespace brash::statistics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/test/unit_test.hpp>
 
+#include "brash/core/contract.hpp"
 #include "helpers.hpp"
 
 using namespace brash;
@@ -92,6 +93,22 @@ BOOST_AUTO_TEST_CASE(Two_floes_keep_their_momentum_and_angular_momentum) {
     // Where ice does not break, the split impulse moves the bodies, and the moments of their momenta with them.
     if (breakable) BOOST_TEST(norm(l - l0) < 1e-5);
   }
+}
+
+BOOST_AUTO_TEST_CASE(A_structure_with_mass_and_a_floe_exchange_momentum) {
+  constexpr double kMass = 5000.0;
+  const MassProperties mass{kMass, {4000.0, 5000.0, 6000.0}};
+  World world({});  // no bound: they meet like rigid bodies
+  const std::vector<std::vector<Vec3>> hulls{box({-1, -1, -1}, {1, 1, 1})};
+  const BodyId block = world.add_structure(hulls, {{-1.0005, 0, 0}, {}}, mass, {{0.6, 0, 0}, {}});
+  const BodyId floe = add_floe(world, rectangle({0, -1}, {2, 1}), 0.4);
+  const double ice = kDensity * 4 * 0.4;
+  for (int i = 0; i < 20; ++i) world.step(0.01);
+  BOOST_TEST(kMass * world.twist(block).linear.x + ice * world.twist(floe).linear.x == kMass * 0.6,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(world.twist(block).linear.x == kMass * 0.6 / (kMass + ice), boost::test_tools::tolerance(1e-5));
+  BOOST_TEST((world.moving() == std::vector<BodyId>{floe}));
+  BOOST_CHECK_THROW(world.move_structure(block, {}, {}), ContractViolation);
 }
 
 BOOST_AUTO_TEST_CASE(A_floe_slides_to_rest_at_mu_g_and_then_stays) {

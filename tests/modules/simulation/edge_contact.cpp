@@ -163,32 +163,6 @@ BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_rig
   BOOST_TEST(!plate->assess(heavy).outline_refused);
 }
 
-BOOST_AUTO_TEST_CASE(the_edge_holds_a_structure_with_mass_back_by_no_more_than_its_crushing_force) {
-  Scene scene;
-  const Listening criterion(false);
-  const structure::State state{{{-6.7, 0.0, 0.0}, {}}, {{0.01, 0.0, 0.0}, {}}};
-  const auto contacts =
-      simulation::edge_contacts({*scene.hull, scene.resolved, scene.ice, criterion}, scene.sheet(), state);
-  BOOST_REQUIRE_EQUAL(contacts.size(), 1u);
-  rigid_body::World world({.ice_structure = {}, .ice_ice = {}});
-  const rigid_body::MassProperties light{1e5, {1e6, 1e6, 1e6}}, heavy{1e9, {1e10, 1e10, 1e10}};
-  for (const auto& mass : {light, heavy}) {
-    const BodyId body = world.add_structure(scene.hull->parts(), state.pose, mass, state.twist);
-    for (const auto& given : simulation::given_contacts(contacts, body, 0.0)) world.add_contact(given);
-    world.step(0.01);
-    const double force = mass.mass * norm(world.twist(body).linear - state.twist.linear) / 0.01;
-    const bool is_light = mass.mass == light.mass;
-    const Vec3 arm = contacts[0].point - state.pose.position;
-    // The light one is stopped along the normal; the heavy one is braked by the bound and goes on.
-    if (is_light)
-      BOOST_TEST(std::abs(dot(velocity_at(world.twist(body), arm), contacts[0].normal)) < 1e-9);
-    else
-      BOOST_TEST(force == contacts[0].bound, boost::test_tools::tolerance(1e-6));
-    BOOST_TEST(force <= contacts[0].bound * (1.0 + 1e-9));
-    world.remove(body);
-  }
-}
-
 /// A floe that presses evenly on 2 m of the straight edge around y = 1, over a thousand points.
 simulation::Bearing even_bearing(double normal, double downward) {
   constexpr int kPoints = 1000;

@@ -103,7 +103,7 @@ enum class BodyKind { kFloe, kStructure, kSheet, kBed };
 /// One contact point's load, as the solver left it. A pair of floes is reported once, with `body` < `other`.
 struct ContactLoad {
   BodyId body;                            ///< the floe, or as it was given
-  BodyId other;                           ///< structure, sheet or another floe, or as it was given; kNoBody of the bed
+  BodyId other;                           ///< structure, sheet or another floe; kNoBody of the bed
   BodyKind other_kind = BodyKind::kFloe;  ///< kind of `other`
   Vec3 point{};                           ///< where it was found, at the start of the step [m], world
   Vec3 normal{};                          ///< unit, from `other` into `body`
@@ -149,18 +149,6 @@ constexpr double friction_power(const ContactLoad& c) {
 
 /// Names no body: fixed ice or ground that has no body in the world.
 inline constexpr BodyId kNoBody{std::numeric_limits<std::uint32_t>::max(), 0};
-
-/// A contact that was found outside the world, for the next step: of a hull with the edge of a plate, say.
-struct GivenContact {
-  BodyId body;             ///< on which it acts
-  BodyId other = kNoBody;  ///< on which the opposite acts
-  Vec3 point{};            ///< [m], world
-  Vec3 normal{};           ///< unit, from `other` into `body`
-  double area = 0.0;       ///< on which it presses [m2], > 0; for the report
-  /// Bound of the normal force, sigma_c R A where ice is crushed [N]. Finite between bodies that nothing moves.
-  double most_normal_force = std::numeric_limits<double>::infinity();
-  double friction = 0.0;  ///< Coulomb coefficient [-]
-};
 
 using LinkId = Id<struct LinkTag>;
 
@@ -271,10 +259,6 @@ class World {
   /// Sets the velocity of the water around a body [m/s], until the next call: MassProperties::added_across has its
   /// momentum against it.
   void set_stream(BodyId id, Vec3 velocity);
-  /// Adds a contact for the next step only; reported with the others, by `body` and `other` as given. Between bodies
-  /// that nothing moves it carries its bound while they close up. Engine::kBrash only.
-  void add_contact(const GivenContact& contact);
-
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 

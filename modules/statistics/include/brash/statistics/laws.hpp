@@ -82,8 +82,4 @@ class GoodnessOfFit {
   std::map<Key, std::vector<double>> statistics_;  ///< sorted
 };
 
-/// Likelihood ratio test of a GEV fit against a Gumbel fit to the same maxima, shape 0: chi squared with one degree of
-/// freedom.
-TestResult shape_test(const LawFit& gev, const LawFit& gumbel);
-
 }  // namespace brash::statistics
