@@ -41,8 +41,12 @@ std::string unsteady_text(const ordered_json& points) {
       by_reason[p["reason"].get<std::string>()].push_back(
           fmt::format("{:g} m at {:g} m/s", p["thickness"].get<double>(), p["speed"].get<double>()));
   std::string text;
-  for (const auto& [reason, places] : by_reason)
-    text += fmt::format("  not steady: {} ({})\n", reason, fmt::join(places, ", "));
+  for (const auto& [reason, places] : by_reason) {
+    const bool all = places.size() > 1 && places.size() == points.size();
+    const std::string named =
+        all ? fmt::format("all {} points", places.size()) : fmt::format("{}", fmt::join(places, ", "));
+    text += fmt::format("  not steady: {} ({})\n", reason, named);
+  }
   return text;
 }
 

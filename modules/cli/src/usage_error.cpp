@@ -79,10 +79,11 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
 
   const std::string word = first_unknown(unknown);
   const std::string shown = printable(word);
+  const std::vector<std::string> options = options_of(*command.app);
+  const bool takes_keys = std::ranges::find(options, "--set") != options.end();
   if (word.starts_with('-')) {
-    const std::vector<std::string> options = options_of(*command.app);
     // Only `run` has a short form of it.
-    if (word.starts_with("--seed") && std::ranges::find(options, "--set") != options.end())
+    if (word.starts_with("--seed") && takes_keys)
       return message(command, fmt::format("{} is not an option", shown), "--set", "write --set random.seed=N");
     const std::string nearest = nearest_option(word.substr(0, word.find('=')), options);
     return message(command, fmt::format("{} is not an option", shown), nearest,
@@ -90,6 +91,9 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
                                    : fmt::format("write {}", nearest));
   }
   const std::vector<std::string> commands = subcommands_of(*command.app);
+  if (commands.empty() && takes_keys && word.find('=') != std::string::npos)
+    return message(command, fmt::format("{} is one argument too many", shown), "--set",
+                   fmt::format("write --set {}, since each key has a --set of its own", shown));
   if (commands.empty())
     return message(command, fmt::format("{} is one argument too many", shown), "",
                    example_of(command) + ", and a value that holds blanks between quotes");

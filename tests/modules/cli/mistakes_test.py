@@ -47,6 +47,12 @@ class Mistakes(unittest.TestCase):
             self.assertIn("remedy:", done.stderr)
         self.assertEqual(sorted(self.path.rglob("*")), before)
 
+    def test_a_second_key_without_its_set_is_told_so(self):
+        done = self.call("run", "mine.toml", "--set", "ice.thickness=1", "structure.speed=2")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("structure.speed=2 is one argument too many", done.stderr)
+        self.assertIn("write --set structure.speed=2", done.stderr)
+
     def test_a_campaign_tells_the_warnings_of_its_settings_before_it_runs(self):
         plan = self.path / "plan.toml"
         plan.write_text('[campaign]\ncase = "mine.toml"\n[set]\ntime.step = 0.1\n'
