@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "brash/core/constants.hpp"
+#include "brash/edge/edge_contact.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/structure/hull.hpp"
-#include "edge_contact.hpp"
 
 // Fits to every contact of validation runs, step by step, seed after seed. `test_geometry_trapezoid_soak -- N` asks for
 // N fits; the full soak is a hundred thousand.
@@ -63,8 +63,8 @@ void run_and_fit(int seed, long most, Counts& counts) {
       io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"random.seed=" + std::to_string(seed)});
   simulation::Simulation run(c);
   const auto hull = structure::make_hull(c.structure.shape);
-  const double reach = 2.0 * failure::characteristic_length(simulation::ice_properties(c));
-  const simulation::Freeboard heights = simulation::freeboard(c);
+  const double reach = 2.0 * failure::characteristic_length(edge::ice_properties(c));
+  const edge::Freeboard heights = edge::freeboard(c);
   while (run.time() < c.time.duration && counts.fits < most) {
     (void)run.step();
     const Ring section = ring(hull->footprint(run.frame().structure, heights.bottom, heights.top).leading.at(0));

@@ -135,7 +135,7 @@ std::string sheets(const model::SheetSolves& s) {
   return text;
 }
 
-std::string verdicts(const simulation::KeptCounts& v) {
+std::string verdicts(const model::KeptCounts& v) {
   if (v.kept == 0) return "";
   const std::string latest = v.late == 0 ? "" : fmt::format(", by {:.3g} s at most", v.latest);
   return fmt::format("  verdicts kept from an earlier step: {}; {} of {} controls failed late{}\n", v.kept, v.late,

@@ -158,9 +158,9 @@ class LiveSimulation {
   bool busy_ = false;
 };
 
-py::list motions_of(const std::vector<simulation::SheetMotion>& sheets) {
+py::list motions_of(const std::vector<model::SheetMotion>& sheets) {
   py::list all;
-  for (const simulation::SheetMotion& sheet : sheets) {
+  for (const model::SheetMotion& sheet : sheets) {
     py::dict one;
     one["mass"] = sheet.mass;
     one["centre"] = py::make_tuple(sheet.centre.x, sheet.centre.y);

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "brash/core/interruption.hpp"
+#include "brash/floes/plan.hpp"
 #include "brash/simulation/setup.hpp"
 #include "brash/statistics/random.hpp"
-#include "plan.hpp"
 #include "stages.hpp"
 
 namespace brash::simulation {
@@ -43,7 +43,7 @@ void let_go(State& s, int level_ice, const geometry::Extent& box) {
 }
 
 /// Level ice breaks at a contact: pressures there are forgotten, and floes around it wake.
-void forget_broken(State& s, const ice::Plate& plate, const EdgeContact& contact, const ice::CrackPlan& plan) {
+void forget_broken(State& s, const ice::Plate& plate, const edge::EdgeContact& contact, const ice::CrackPlan& plan) {
   s.bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   s.edges.forget(contact);
   s.edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
@@ -54,17 +54,17 @@ void forget_broken(State& s, const ice::Plate& plate, const EdgeContact& contact
 
 /// The ice cracks at a contact: level ice, floes and collision shapes follow. One random stream a break, so that a
 /// resumed run draws the same.
-Break break_off(State& s, const Laws& laws, const EdgeContact& contact, Step& step) {
+Break break_off(State& s, const Laws& laws, const edge::EdgeContact& contact, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.cutting);
   const model::Case& c = laws.resolved;
   ice::Plate& plate = s.field.level_ice(contact.level_ice);
   statistics::RandomStream random(c.random.seed, c.random.replicate, "wedges", s.n_breaks++);
-  const EdgeContact placed = before_the_notch(contact);
+  const edge::EdgeContact placed = edge::before_the_notch(contact);
   const ice::CrackPlan plan = laws.pattern->plan(plate, placed.region, placed.assessment, random);
   forget_broken(s, plate, contact, plan);
   const Pose structure = s.sheets.seen_from(plate.level_ice(), s.motion->now()).pose;
-  ice::Broken broken =
-      s.field.break_off(plate, plan, middle_outlines(edge_model(s, laws, plate), structure), c.failure.smallest_floe);
+  ice::Broken broken = s.field.break_off(plate, plan, edge::middle_outlines(edge_model(s, laws, plate), structure),
+                                         c.failure.smallest_floe);
   for (const geometry::Extent& part : broken.severed) let_go(s, plate.level_ice(), part);
   Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
   step.broken.push_back({plate.level_ice(), plan.centre, plan.reach, broken.severed});
@@ -78,21 +78,21 @@ Break break_off(State& s, const Laws& laws, const EdgeContact& contact, Step& st
 geometry::Extent release_severed(State& s, const Laws& laws, int level_ice, const Pose& structure, Step& step) {
   ice::Plate& plate = s.field.level_ice(level_ice);
   if (plate.sheet().n_parts() < 2) return {};
-  ice::Broken severed = s.field.release_severed(plate, middle_outlines(edge_model(s, laws, plate), structure),
+  ice::Broken severed = s.field.release_severed(plate, edge::middle_outlines(edge_model(s, laws, plate), structure),
                                                 laws.resolved.failure.smallest_floe);
   for (const geometry::Extent& part : severed.severed) let_go(s, level_ice, part);
   for (ice::Plate& piece : severed.pieces) let_float(s, laws, std::move(piece), level_ice, step.report.births, step);
   return severed.changed;
 }
 
-Vec2 tip_of(const EdgeContact& contact) { return 0.5 * (contact.region.chord_from + contact.region.chord_to); }
+Vec2 tip_of(const edge::EdgeContact& contact) { return 0.5 * (contact.region.chord_from + contact.region.chord_to); }
 
 /// Whether the ice of a contact has broken in this step, or come loose.
-bool has_broken(const Step& step, const EdgeContact& contact) {
-  const geometry::ContactRegion cut = before_the_notch(contact).region;
+bool has_broken(const Step& step, const edge::EdgeContact& contact) {
+  const geometry::ContactRegion cut = edge::before_the_notch(contact).region;
   const Vec2 tip = tip_of(contact), middle = 0.5 * (cut.chord_from + cut.chord_to);
   return std::ranges::any_of(step.broken, [&](const BrokenIce& ice) {
-    const auto is_loose = [&](const geometry::Extent& part) { return is_on(part, tip); };
+    const auto is_loose = [&](const geometry::Extent& part) { return floes::is_on(part, tip); };
     return ice.level_ice == contact.level_ice &&
            (norm(ice.centre - middle) < ice.reach || norm(ice.centre - tip) < ice.reach ||
             std::ranges::any_of(ice.severed, is_loose));
@@ -100,8 +100,8 @@ bool has_broken(const Step& step, const EdgeContact& contact) {
 }
 
 /// The data of a break before the ice is cut.
-model::CrackEvent event_of(const State& s, const Laws& laws, const EdgeContact& contact) {
-  const MovingEdges::Life life = s.edges.life(contact).value_or(MovingEdges::Life{});
+model::CrackEvent event_of(const State& s, const Laws& laws, const edge::EdgeContact& contact) {
+  const edge::MovingEdges::Life life = s.edges.life(contact).value_or(edge::MovingEdges::Life{});
   return in_world(s, contact.level_ice,
                   {.time = s.time(laws),
                    .at = contact.region.midpoint,
@@ -129,7 +129,7 @@ model::CrackEvent event_of(const State& s, const Laws& laws, const EdgeContact& 
 }  // namespace
 
 void initial_crack(State& s, const Laws& laws, Step& step) {
-  EdgeContact contact;
+  edge::EdgeContact contact;
   const double radius =
       initial_crack_radius(laws.resolved, s.field.level_ice(contact.level_ice).ice(), *s.criteria.front());
   contact.assessment.breaking_length = radius;
@@ -148,7 +148,7 @@ void initial_crack(State& s, const Laws& laws, Step& step) {
 void let_float(State& s, const Laws& laws, ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births,
                Step& step) {
   const model::Case& c = laws.resolved;
-  if (s.sheets.any() && is_plate(piece.outline(), s.field.level_ice(level_ice).ice(), c.field.smallest_plate)) {
+  if (s.sheets.any() && edge::is_plate(piece.outline(), s.field.level_ice(level_ice).ice(), c.field.smallest_plate)) {
     const ice::Plate& made = s.field.level_ice(s.field.add_level_ice(std::move(piece)));
     s.sheets.add_part(made, level_ice);
     add_criterion(s, laws, made);
@@ -165,7 +165,7 @@ void let_float(State& s, const Laws& laws, ice::Plate&& piece, int level_ice, st
     return;
   }
   const double mass = mass_per_area * record->area;
-  if (collision_time(c, mass) < c.time.step) ++step.report.n_steps_too_long;
+  if (floes::collision_time(c, mass) < c.time.step) ++step.report.n_steps_too_long;
   births.push_back(std::move(*record));
   if (!s.sheets.any()) return;
   const BodyId born = s.world.floes().back();
@@ -188,7 +188,7 @@ bool crush_passed_ice(State& s, const Laws& laws, double time, Step& step) {
     const double shift = s.edges.largest_shift(number, time);
     const structure::State structure = s.sheets.seen_from(number, s.motion->now());
     if (!is_near(s, laws, plate, structure)) continue;
-    for (const geometry::Ring& outline : trailing_outlines(edge_model(s, laws, plate), structure.pose, shift))
+    for (const geometry::Ring& outline : edge::trailing_outlines(edge_model(s, laws, plate), structure.pose, shift))
       changed.add(s.field.crush(s.field.level_ice(number), outline));
     if (!changed.is_empty()) changed.add(release_severed(s, laws, number, structure.pose, step));
     follow_outline(s, s.field.level_ice(number), changed);
@@ -197,8 +197,8 @@ bool crush_passed_ice(State& s, const Laws& laws, double time, Step& step) {
   return any;
 }
 
-void break_ice(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step) {
-  for (const EdgeContact& contact : contacts) {
+void break_ice(State& s, const Laws& laws, const std::vector<edge::EdgeContact>& contacts, Step& step) {
+  for (const edge::EdgeContact& contact : contacts) {
     if (!contact.assessment.fails || has_broken(step, contact)) continue;
     look_for_interruption();
     model::CrackEvent event = event_of(s, laws, contact);

@@ -9,7 +9,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/interruption.hpp"
-#include "local_ice.hpp"
+#include "brash/edge/local_ice.hpp"
 #include "stages.hpp"
 
 namespace brash::simulation {
@@ -29,13 +29,13 @@ void count_range(const failure::Assessment& assessment, StepReport& report) {
 
 /// Calls `use(plate, contacts with it)` for each level ice; the contacts are sorted by it then.
 template <class Use>
-void for_each_sheet(const State& s, std::vector<EdgeContact>& contacts, const Use& use) {
-  std::vector<EdgeContact> sorted;
+void for_each_sheet(const State& s, std::vector<edge::EdgeContact>& contacts, const Use& use) {
+  std::vector<edge::EdgeContact> sorted;
   for (const ice::Plate& plate : s.field.level_ice()) {
-    std::vector<EdgeContact> here;
-    for (EdgeContact& contact : contacts)
+    std::vector<edge::EdgeContact> here;
+    for (edge::EdgeContact& contact : contacts)
       if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
-    std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
+    std::erase_if(contacts, [&](const edge::EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
     use(plate, here);
     std::ranges::move(here, std::back_inserter(sorted));
   }
@@ -44,14 +44,14 @@ void for_each_sheet(const State& s, std::vector<EdgeContact>& contacts, const Us
 
 /// Every contact of the structure with level ice, were the structure in `state` at `time`; without a verdict.
 /// @param later  how long the sheets drift on until then [s].
-std::vector<EdgeContact> contacts_at(const State& s, const Laws& laws, const structure::State& state, double later,
-                                     double time) {
-  std::vector<EdgeContact> contacts;
+std::vector<edge::EdgeContact> contacts_at(const State& s, const Laws& laws, const structure::State& state,
+                                           double later, double time) {
+  std::vector<edge::EdgeContact> contacts;
   for (const ice::Plate& plate : s.field.level_ice()) {
-    const auto shift = [&](const Touch& touched) { return s.edges.shift(plate.level_ice(), touched, time); };
+    const auto shift = [&](const edge::Touch& touched) { return s.edges.shift(plate.level_ice(), touched, time); };
     const structure::State seen = s.sheets.seen_from(plate.level_ice(), state, later);
     if (!is_near(s, laws, plate, seen)) continue;
-    for (EdgeContact& contact : edge_contacts(edge_model(s, laws, plate), plate.sheet(), seen, shift)) {
+    for (edge::EdgeContact& contact : edge::edge_contacts(edge_model(s, laws, plate), plate.sheet(), seen, shift)) {
       contact.level_ice = plate.level_ice();
       contacts.push_back(std::move(contact));
     }
@@ -59,23 +59,23 @@ std::vector<EdgeContact> contacts_at(const State& s, const Laws& laws, const str
   return contacts;
 }
 
-bool is_above_range(const State& s, const Laws& laws, const std::vector<EdgeContact>& contacts) {
-  return std::ranges::any_of(contacts, [&](const EdgeContact& contact) {
-    const EdgeModel sheet = edge_model(s, laws, s.field.level_ice()[static_cast<std::size_t>(contact.level_ice)]);
-    return contact.load.pressure > 0.0 && LocalIce(sheet, contact).model().criterion.above_range(contact.load);
+bool is_above_range(const State& s, const Laws& laws, const std::vector<edge::EdgeContact>& contacts) {
+  return std::ranges::any_of(contacts, [&](const edge::EdgeContact& contact) {
+    const edge::EdgeModel sheet = edge_model(s, laws, s.field.level_ice()[static_cast<std::size_t>(contact.level_ice)]);
+    return contact.load.pressure > 0.0 && edge::LocalIce(sheet, contact).model().criterion.above_range(contact.load);
   });
 }
 
-void weigh_loads(const State& s, const Laws& laws, std::vector<EdgeContact>& contacts) {
-  for_each_sheet(s, contacts, [&](const ice::Plate& plate, std::vector<EdgeContact>& here) {
-    weigh_loads(edge_model(s, laws, plate), here);
+void weigh_loads(const State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts) {
+  for_each_sheet(s, contacts, [&](const ice::Plate& plate, std::vector<edge::EdgeContact>& here) {
+    edge::weigh_loads(edge_model(s, laws, plate), here);
   });
 }
 
 /// Work of the structure on the ice of each contact in a time [s], while its sheet drifts [J].
-std::vector<double> work_on(const State& s, const std::vector<EdgeContact>& contacts, double seconds) {
+std::vector<double> work_on(const State& s, const std::vector<edge::EdgeContact>& contacts, double seconds) {
   std::vector<double> work;
-  for (const EdgeContact& contact : contacts) {
+  for (const edge::EdgeContact& contact : contacts) {
     const structure::State seen = s.sheets.seen_from(contact.level_ice, s.motion->now());
     work.push_back(seconds * dot(contact.on_ice, velocity_at(seen.twist, contact.point - seen.pose.position)));
   }
@@ -84,7 +84,7 @@ std::vector<double> work_on(const State& s, const std::vector<EdgeContact>& cont
 
 }  // namespace
 
-EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate) {
+edge::EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate) {
   const ice::Variation& variation = s.field.variation();
   return {*laws.hull, laws.resolved, plate.ice(), *s.criteria[static_cast<std::size_t>(plate.level_ice())],
           variation ? &variation : nullptr};
@@ -98,7 +98,7 @@ void expect_on_the_plane(const State& s, const Laws& laws) {
                              then.y, then.z));
 }
 
-std::vector<EdgeContact> move_within_limits(State& s, const Laws& laws, double done, double& share, Step& step) {
+std::vector<edge::EdgeContact> move_within_limits(State& s, const Laws& laws, double done, double& share, Step& step) {
   // Parts of a step in which an input leaves the model's range or the outlined sheet breaks; the paper gives no limit.
   constexpr double shortest = 1.0 / 8.0;
   const double dt = laws.resolved.time.step;
@@ -106,8 +106,10 @@ std::vector<EdgeContact> move_within_limits(State& s, const Laws& laws, double d
   const auto contacts_after = [&](double part) {
     return contacts_at(s, laws, s.motion->after(part), part * dt, time_after(part));
   };
-  const auto above_range = [&](const std::vector<EdgeContact>& contacts) { return is_above_range(s, laws, contacts); };
-  std::vector<EdgeContact> contacts = contacts_after(share);
+  const auto above_range = [&](const std::vector<edge::EdgeContact>& contacts) {
+    return is_above_range(s, laws, contacts);
+  };
+  std::vector<edge::EdgeContact> contacts = contacts_after(share);
   if (0.5 * share >= shortest && above_range(contacts) && !above_range(contacts_after(0.0))) {
     do {
       share *= 0.5;
@@ -131,14 +133,14 @@ std::vector<EdgeContact> move_within_limits(State& s, const Laws& laws, double d
   return contacts;
 }
 
-void crush_edges(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, double done, double share,
+void crush_edges(State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts, double done, double share,
                  Step& step) {
   const double dt = laws.resolved.time.step;
   const std::vector<double> work = work_on(s, contacts, share * dt);
   s.energy.book_bent_edges(
       s.edges.follow(contacts, work, s.time(laws) + done * dt, s.time(laws) + (done + share) * dt));
   const Pose& structure = s.motion->now().pose;
-  for (const EdgeContact& contact : contacts) {
+  for (const edge::EdgeContact& contact : contacts) {
     const Vec3 point = s.sheets.to_world(contact.level_ice, contact.point);
     const Vec3 force = -s.sheets.turned(contact.level_ice, contact.on_ice);
     const Vec3 arm = point - structure.position;
@@ -149,36 +151,37 @@ void crush_edges(State& s, const Laws& laws, std::vector<EdgeContact>& contacts,
   }
 }
 
-void add_contacts_of_floes(const State& s, const Laws& laws, std::vector<EdgeContact>& contacts) {
+void add_contacts_of_floes(const State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts) {
   if (!laws.resolved.failure.under_floes) return;
   for (const auto& [pair, bearing] : s.bearings.all()) {
     const auto& [body, level_ice] = pair;
     const ice::Plate& plate = s.field.level_ice()[static_cast<std::size_t>(level_ice)];
-    auto contact = bearing_contact(edge_model(s, laws, plate), plate.sheet(), s.floes.at(body).id, bearing);
+    auto contact = edge::bearing_contact(edge_model(s, laws, plate), plate.sheet(), s.floes.at(body).id, bearing);
     if (!contact) continue;
     contact->level_ice = level_ice;
     contacts.push_back(std::move(*contact));
   }
 }
 
-void judge(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, double now, Step& step) {
-  const auto motion_of = [&](const EdgeContact& contact) { return s.edges.motion(contact); };
+void judge(State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts, double now, Step& step) {
+  const auto motion_of = [&](const edge::EdgeContact& contact) { return s.edges.motion(contact); };
   const auto share_out = [&](std::size_t n, const auto& judge_one) {
     const StageTimer::Scope clock(step.timer, step.report.times.failure);
     s.world.workers().each(n, 1, judge_one);
   };
-  for_each_sheet(s, contacts, [&](const ice::Plate& plate, std::vector<EdgeContact>& here) {
-    weigh_loads(edge_model(s, laws, plate), here);
-    for (EdgeContact& contact : here)
+  for_each_sheet(s, contacts, [&](const ice::Plate& plate, std::vector<edge::EdgeContact>& here) {
+    edge::weigh_loads(edge_model(s, laws, plate), here);
+    for (edge::EdgeContact& contact : here)
       if (const auto life = s.edges.life(contact)) contact.edge_age = life->age;
     s.verdicts.recall(now, here);
     look_for_interruption();
-    assess(edge_model(s, laws, plate), plate.sheet(), here, motion_of, share_out);
+    edge::assess(edge_model(s, laws, plate), plate.sheet(), here, motion_of, share_out);
   });
-  for (const EdgeContact& contact : contacts) count_range(contact.assessment, step.report);
+  for (const edge::EdgeContact& contact : contacts) count_range(contact.assessment, step.report);
   step.report.verdicts += s.verdicts.keep(now, contacts);
   if (laws.resolved.failure.joint_loads)
-    std::ranges::stable_sort(contacts, std::greater{}, [](const EdgeContact& c) { return c.assessment.sigma_max; });
+    std::ranges::stable_sort(contacts, std::greater{},
+                             [](const edge::EdgeContact& c) { return c.assessment.sigma_max; });
 }
 
 }  // namespace brash::simulation

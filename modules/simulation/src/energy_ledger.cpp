@@ -27,7 +27,7 @@ void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   if (contact.other_kind == BodyKind::kBed) book_bed(losses, contact, dt);
 }
 
-WorkOfWater work_of_water(const World& world, BodyId body, const Floe& floe, double dt) {
+WorkOfWater work_of_water(const World& world, BodyId body, const floes::Floe& floe, double dt) {
   const Twist twist = world.mean_twist(body);
   return {
       .drag = dt * power(floe.drag, twist),
@@ -51,7 +51,8 @@ void EnergyLedger::book_bent_edges(double work) {
 }
 
 /// Contacts first: they reach two floes each, so one thread books them.
-void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
+void EnergyLedger::book_step(const World& world, const floes::FloePopulation& floes, std::int64_t first_newborn,
+                             double dt) {
   taken_ = {};
   const std::vector<BodyId>& moving = world.moving();
   if (!floes.floes().empty()) received_.resize(floes.floes().rbegin()->first.index + 1);
@@ -65,12 +66,12 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
       received_[contact.other.index] -= dt * dot(force, contact.other_velocity);
   }
   from_water_.resize(moving.size());
-  world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) {
+  world.workers().each(moving.size(), floes::kCheapFloes, [&](std::size_t i) {
     from_water_[i] = work_of_water(world, moving[i], floes.at(moving[i]), dt);
   });
   for (std::size_t i = 0; i < moving.size(); ++i) {
     const BodyId body = moving[i];
-    const Floe& floe = floes.at(body);
+    const floes::Floe& floe = floes.at(body);
     const auto& [drag, skin_friction, pressure, taken] = from_water_[i];
     taken_.water += floe.shed;
     taken_.water -= taken;
@@ -85,7 +86,7 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
 }
 
 /// docs/theory/fracture-of-floes.md, (G5). What contacts with floes gave the sheets was booked with them.
-void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, double dt) {
+void EnergyLedger::book_sheets(const World& world, const edge::WorkOnSheets& work, double dt) {
   losses_.edge -= work.edge;
   for (const ContactLoad& contact : world.contacts_of_sheets()) {
     book(losses_, contact, dt);
@@ -95,15 +96,15 @@ void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, dou
   losses_.skin_friction -= work.skin;
 }
 
-void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
+void EnergyLedger::remove(const World& world, const floes::FloePopulation& floes, BodyId body) {
   removed_ += floes.energy(world, body, floes.at(body));
 }
 
-void EnergyLedger::add_piece(const World& world, const FloePopulation& floes, BodyId body) {
+void EnergyLedger::add_piece(const World& world, const floes::FloePopulation& floes, BodyId body) {
   removed_ -= floes.energy(world, body, floes.at(body));
 }
 
-void EnergyLedger::report(const World& world, const FloePopulation& floes, model::LoadRow& row,
+void EnergyLedger::report(const World& world, const floes::FloePopulation& floes, model::LoadRow& row,
                           double in_sheets) const {
   row.kinetic_energy = world.kinetic_energy() + in_sheets;
   row.potential_energy = floes.potential_energy(world);

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "brash/edge/drifting_sheets.hpp"
+#include "brash/floes/floe_population.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
-#include "drifting_sheets.hpp"
-#include "floe_population.hpp"
 
 namespace brash::simulation {
 
@@ -35,10 +35,11 @@ class EnergyLedger {
 
   /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
   /// Afterwards received() holds the energy that the step gave each moving floe.
-  void book_step(const rigid_body::World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt);
+  void book_step(const rigid_body::World& world, const floes::FloePopulation& floes, std::int64_t first_newborn,
+                 double dt);
 
   /// The floe `body` is about to be deleted.
-  void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
+  void remove(const rigid_body::World& world, const floes::FloePopulation& floes, BodyId body);
 
   /// Of the structure's work on the edge, this bent edges [J]. The edge keeps none of it: it goes into the water with
   /// the waves of the ice, and into new cracks.
@@ -46,7 +47,7 @@ class EnergyLedger {
 
   /// Work of the step on drifting sheets: the loads of the structure gave it to their kinetic energy, and water, wind
   /// and the contacts between sheets took some. Call after book_structure() and book_step(), `dt` as there.
-  void book_sheets(const rigid_body::World& world, const WorkOnSheets& work, double dt);
+  void book_sheets(const rigid_body::World& world, const edge::WorkOnSheets& work, double dt);
 
   /// Of the structure's work on the edge, this moved a sheet [J].
   void book_pushed_sheet(double work) { losses_.edge -= work; }
@@ -58,7 +59,7 @@ class EnergyLedger {
   void book_left_sheets(double kinetic) { removed_ += kinetic; }
 
   /// The floe `body` is a piece of one that has been removed, and keeps its part of the energy.
-  void add_piece(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
+  void add_piece(const rigid_body::World& world, const floes::FloePopulation& floes, BodyId body);
 
   /// Floes have lost `kinetic` [J] by falling asleep.
   void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
@@ -71,7 +72,7 @@ class EnergyLedger {
 
   /// Fills the energies of a row.
   /// @param in_sheets  kinetic energy of drifting sheets [J].
-  void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row,
+  void report(const rigid_body::World& world, const floes::FloePopulation& floes, model::LoadRow& row,
               double in_sheets = 0.0) const;
 
   /// Every sum.

@@ -16,7 +16,7 @@ namespace {
 /// water that gives way to it is slow. That falls with the cube of the distance at least; docs/theory/simulation.md,
 /// (S2).
 /// @param fall  whether they may fall asleep, which takes a structure's width too.
-Clear clear_of_structure(const State& s, const Laws& laws, bool fall) {
+floes::Clear clear_of_structure(const State& s, const Laws& laws, bool fall) {
   const model::Case& c = laws.resolved;
   double reach = 0.0;
   for (const structure::ConvexPart& part : laws.hull->parts())
@@ -36,7 +36,7 @@ Clear clear_of_structure(const State& s, const Laws& laws, bool fall) {
 bool may_sleep(const State& s, const Laws& laws) { return laws.resolved.time.settle_speed > 0.0 && !s.sheets.any(); }
 
 /// A floe no longer exists: everything that keeps data of it drops it. The watchdog keeps its account, for its pieces.
-Floe take_out(State& s, BodyId body) {
+floes::Floe take_out(State& s, BodyId body) {
   s.energy.remove(s.world, s.floes, body);
   s.sleep.forget(s.floes, body);
   s.bearings.forget(body);
@@ -46,15 +46,15 @@ Floe take_out(State& s, BodyId body) {
 
 /// A floe splits in a section. Its pieces move on as it did, so mass, momentum and energy stay with them, but for
 /// pieces too small for a body.
-void split(State& s, const Laws& laws, const Fracture& fracture, StepReport& report) {
+void split(State& s, const Laws& laws, const floes::Fracture& fracture, StepReport& report) {
   const BodyId body = fracture.body;
   const Pose pose = s.world.pose(body);
   const Twist twist = s.world.twist(body);
-  const Floe parent = take_out(s, body);
+  const floes::Floe parent = take_out(s, body);
   report.deaths.push_back({parent.id, model::FloeEnd::kBroken, parent.stress.peak_compression});
 
   const auto in_plate = [&](double along) {
-    const Section& section = fracture.section;
+    const floes::Section& section = fracture.section;
     const Vec2 place = section.offset * section.normal + along * perpendicular(section.normal);
     return plan(to_world(parent.laid, {place.x, place.y, 0.0}));
   };
@@ -113,8 +113,8 @@ void fall_asleep_or_wake(State& s, const Laws& laws, Step& step) {
 void average_contacts(State& s, const Laws& laws, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.loads);
   const double dt = laws.resolved.time.step;
-  const auto contacts = contacts_by_place(s.world);
-  update_stress(s.world, contacts, laws.stress, dt, s.floes);
+  const auto contacts = floes::contacts_by_place(s.world);
+  floes::update_stress(s.world, contacts, laws.stress, dt, s.floes);
   const auto level_ice_of = [&](BodyId part) { return s.tiles.level_ice_of(part); };
   const auto in_sheet = [&](int level_ice, const rigid_body::ContactLoad& contact) {
     rigid_body::ContactLoad there = contact;
@@ -129,8 +129,8 @@ void average_contacts(State& s, const Laws& laws, Step& step) {
 
 void remove_crushed_floes(State& s, const Laws& laws, Step& step) {
   const StageTimer::Scope clock(step.timer, step.report.times.loads);
-  for (const BodyId body : overstressed(s.world, s.floes, laws.resolved.ice.compressive_strength)) {
-    const Floe floe = take_out(s, body);
+  for (const BodyId body : floes::overstressed(s.world, s.floes, laws.resolved.ice.compressive_strength)) {
+    const floes::Floe floe = take_out(s, body);
     s.watchdog.remove(body, floe.weight);
     s.field.to_deleted(floe.plate);
     step.report.deaths.push_back({floe.id, model::FloeEnd::kCrushed, floe.stress.peak_compression});
@@ -140,7 +140,7 @@ void remove_crushed_floes(State& s, const Laws& laws, Step& step) {
 void split_floes(State& s, const Laws& laws, Step& step) {
   if (laws.resolved.failure.pieces == model::Pieces::kWhole) return;
   const StageTimer::Scope clock(step.timer, step.report.times.cutting);
-  for (const Fracture& fracture : s.bending.fractures(s.floes)) {
+  for (const floes::Fracture& fracture : s.bending.fractures(s.floes)) {
     look_for_interruption();
     split(s, laws, fracture, step.report);
   }

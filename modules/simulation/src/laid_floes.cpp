@@ -11,15 +11,15 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/edge/drifting_sheets.hpp"
+#include "brash/edge/edge_contact.hpp"
+#include "brash/floes/plan.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/ice/floe_field.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/model/case_keys.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/structure/motion.hpp"
-#include "drifting_sheets.hpp"
-#include "edge_contact.hpp"
-#include "plan.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -29,7 +29,7 @@ using geometry::Ring;
 
 /// The plan of the structure within the ice at the start.
 std::vector<Ring> structure_at_start(const model::Case& resolved, const structure::Hull& hull) {
-  const Freeboard heights = freeboard(resolved);
+  const edge::Freeboard heights = edge::freeboard(resolved);
   const Pose start = structure::unresisted(resolved.structure, 0.0);
   std::vector<Ring> rings;
   for (const structure::Outline& outline : hull.footprint(start, heights.bottom, heights.top).leading)
@@ -103,7 +103,7 @@ void lay_floes_of(const model::Case& resolved, ice::Field& field) {
   const bool from_file = !resolved.field.file.empty();
   if (!from_file) std::ranges::move(land_of(resolved), std::back_inserter(keep_out));
   std::vector<ice::Plate> plates, floes;
-  const failure::IceProperties ice = ice_properties(resolved);
+  const failure::IceProperties ice = edge::ice_properties(resolved);
   const bool may_drift = resolved.contact.engine == model::ContactEngine::kBrash;
   for (ice::GivenFloe& floe : from_file ? floes_of_file(resolved, keep_out) : packed_floes(resolved, keep_out)) {
     const auto of_file = [&](failure::IceProperties own) {
@@ -113,7 +113,7 @@ void lay_floes_of(const model::Case& resolved, ice::Field& field) {
     };
     const failure::IceProperties own = of_file(ice), mean = of_file(field.variation().mean(ice, floe.outline));
     std::vector outline{std::move(floe.outline)};
-    if (may_drift && is_plate(outline, own, resolved.field.smallest_plate))
+    if (may_drift && edge::is_plate(outline, own, resolved.field.smallest_plate))
       plates.emplace_back(static_cast<int>(plates.size()), ice::Hold::kDrifting, own, std::move(outline));
     else
       floes.emplace_back(0, ice::Hold::kAfloat, mean, std::move(outline));
@@ -131,7 +131,7 @@ std::vector<Vec2> box(Vec2 lower, Vec2 upper) { return {lower, {upper.x, lower.y
 }  // namespace
 
 ice::Field laid_field(const model::Case& resolved) {
-  ice::Field field(resolved.field, ice_properties(resolved), ice::Variation(resolved));
+  ice::Field field(resolved.field, edge::ice_properties(resolved), ice::Variation(resolved));
   if (resolved.field.kind == model::FieldKind::kFloes) lay_floes_of(resolved, field);
   return field;
 }
@@ -154,7 +154,7 @@ std::vector<std::vector<std::vector<Vec2>>> land_outlines(const model::Case& res
   std::vector<std::vector<std::vector<Vec2>>> land;
   if (resolved.field.shore.empty()) return land;
   for (const Polygon& outline : ice::read_outlines(resolved.field.shore, resolved.field.origin))
-    land.push_back(rings_in_metres(outline));
+    land.push_back(floes::rings_in_metres(outline));
   return land;
 }
 
@@ -177,11 +177,11 @@ InitialField initial_field(const model::Case& resolved) {
   const std::vector<ice::Plate> floes = floes_beside(resolved, *hull, field);
   for (const ice::Plate& plate : floes)
     for (const Polygon& outline : plate.outline()) {
-      start.floes.push_back(rings_in_metres(outline));
+      start.floes.push_back(floes::rings_in_metres(outline));
       start.area += geometry::area(outline).square_metres();
     }
   for (const Polygon& outline : field.outlines()) {
-    start.sheets.push_back(rings_in_metres(outline));
+    start.sheets.push_back(floes::rings_in_metres(outline));
     start.sheet_area += geometry::area(outline).square_metres();
   }
   return start;
@@ -207,7 +207,7 @@ std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_bod
   }
   if (resolved.field.shore.empty()) return boxes;
   for (const geometry::Polygon& land : ice::read_outlines(resolved.field.shore, resolved.field.origin))
-    for (const geometry::Ring& part : geometry::convex_parts(land)) lay(to_metres(part), height);
+    for (const geometry::Ring& part : geometry::convex_parts(land)) lay(floes::to_metres(part), height);
   return boxes;
 }
 

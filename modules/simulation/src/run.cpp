@@ -13,10 +13,10 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/interruption.hpp"
+#include "brash/floes/plan.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/setup.hpp"
 #include "brash/simulation/warnings.hpp"
-#include "plan.hpp"
 #include "stage_timer.hpp"
 #include "summarise.hpp"
 
@@ -26,7 +26,7 @@ namespace {
 std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polygons) {
   std::vector<std::vector<Vec2>> rings;
   for (const geometry::Polygon& polygon : polygons)
-    std::ranges::move(rings_in_metres(polygon), std::back_inserter(rings));
+    std::ranges::move(floes::rings_in_metres(polygon), std::back_inserter(rings));
   return rings;
 }
 
@@ -178,7 +178,7 @@ struct Counts {
     visit("n_below_range", "1", "assessments below the failure model's range", counts.n_below_range);
     BreakCounts::visit(counts.breaks, visit);
     model::SheetSolves::visit(counts.sheets, visit);
-    KeptCounts::visit(counts.verdicts, visit);
+    model::KeptCounts::visit(counts.verdicts, visit);
     visit("n_above_range", "1", "assessments above the failure model's range", counts.n_above_range);
     visit("n_steps_too_long", "1", "births with a collision time below the step", counts.n_steps_too_long);
     visit("sum_of_last_changes", "m s-1", "last change of the contacts' solution, summed over the steps",

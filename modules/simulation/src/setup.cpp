@@ -11,19 +11,16 @@
 #include <variant>
 
 #include "brash/core/constants.hpp"
-#include "edge_contact.hpp"
+#include "brash/edge/edge_contact.hpp"
+#include "brash/floes/floe_population.hpp"
 
 namespace brash::simulation {
-
-double collision_time(const model::Case& resolved, double mass) {
-  return 0.5 * kPi * std::sqrt((1.0 + resolved.hydrodynamics.added_mass) * mass / resolved.contact.stiffness);
-}
 
 namespace {
 
 /// Of the structure where it meets the ice straight ahead [rad].
 double slope_ahead(const model::Case& c, const structure::Hull& hull, const structure::Motion& motion) {
-  const Freeboard heights = freeboard(c);
+  const edge::Freeboard heights = edge::freeboard(c);
   return structure::foremost(hull, motion.now().pose, heights.bottom, heights.top, motion.course()).surface.slope;
 }
 
@@ -51,13 +48,13 @@ DerivedScales scales_of(const model::Case& c, const failure::IceProperties& ice,
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
   scales.front_slope = slope;
   scales.mu1 = ratios_ahead(slope, c.ice.friction_structure).mu1;
-  scales.freeboard = freeboard(c).top;
-  scales.draft = -freeboard(c).bottom;
+  scales.freeboard = edge::freeboard(c).top;
+  scales.draft = -edge::freeboard(c).bottom;
   const double given = c.field.initial_crack_radius;
   scales.initial_crack_radius = given > 0.0 ? given : crack_radius(c, ice, criterion, slope);
   if (ice::varies(c.ice)) scales.correlation_length = model::correlation_length(c.ice);
   const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
-  scales.collision_time = collision_time(c, c.ice.density * ice.thickness * piece);
+  scales.collision_time = floes::collision_time(c, c.ice.density * ice.thickness * piece);
   return scales;
 }
 
@@ -73,7 +70,7 @@ double initial_crack_radius(const model::Case& resolved, const failure::IcePrope
 namespace {
 
 Course straight_course(const model::Case& c, const structure::Hull& hull) {
-  const Freeboard heights = freeboard(c);
+  const edge::Freeboard heights = edge::freeboard(c);
   const Pose start = structure::unresisted(c.structure, 0.0);
   const auto reach = [&](Vec2 course) {
     return structure::foremost(hull, start, heights.bottom, heights.top, course).reach;
@@ -92,7 +89,7 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
 /// Sampled along the path.
 Course course_on_path(const model::Case& c, const structure::Hull& hull) {
   constexpr int kSamples = 400;
-  const Freeboard heights = freeboard(c);
+  const edge::Freeboard heights = edge::freeboard(c);
   const Vec2 from = plan(structure::unresisted(c.structure, 0.0).position),
              to = plan(structure::unresisted(c.structure, c.time.duration).position);
   Course course;
@@ -151,7 +148,7 @@ double time_at(const model::Case& c, double x) {
 std::optional<double> time_of_stern(const model::Case& c, const structure::Hull& hull, double x) {
   if (!std::holds_alternative<model::Ship>(c.structure.shape)) return std::nullopt;
   constexpr int kSamples = 400;
-  const Freeboard heights = freeboard(c);
+  const edge::Freeboard heights = edge::freeboard(c);
   const auto stern_at = [&](double time) {
     const Pose pose = structure::unresisted(c.structure, time);
     return -structure::foremost(hull, pose, heights.bottom, heights.top, {-1.0, 0.0}).reach;
@@ -205,8 +202,8 @@ StatisticsWindow statistics_window(const model::Case& resolved, double initial_c
 
 Setup::Setup(model::Case of)
     : resolved(std::move(of)),
-      ice(ice_properties(resolved)),
-      criterion(make_criterion(resolved, ice)),
+      ice(edge::ice_properties(resolved)),
+      criterion(edge::make_criterion(resolved, ice)),
       hull(structure::make_hull(resolved.structure)),
       motion(structure::make_motion(resolved, *hull)),
       scales(scales_of(resolved, ice, *criterion, slope_ahead(resolved, *hull, *motion))),

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "brash/edge/splitting_force.hpp"
 #include "brash/failure/splitting.hpp"
-#include "plan.hpp"
-#include "splitting_force.hpp"
+#include "brash/floes/plan.hpp"
 #include "stages.hpp"
 
 namespace brash::simulation {
@@ -36,7 +36,7 @@ bool are_apart(const geometry::Extent& a, const geometry::Extent& b, double dist
 
 /// A ring turned and moved with its sheet.
 geometry::Ring moved(const geometry::Ring& ring, const Pose& frame) {
-  std::vector<Vec2> points = to_metres(ring);
+  std::vector<Vec2> points = floes::to_metres(ring);
   for (Vec2& p : points) p = plan(to_world(frame, {p.x, p.y, 0.0}));
   return geometry::ring(points);
 }
@@ -45,7 +45,7 @@ geometry::Ring moved(const geometry::Ring& ring, const Pose& frame) {
 void lay_sheets_that_meet(State& s) {
   std::vector<geometry::Extent> boxes;  // of the sheets, in the world
   for (const ice::Plate& plate : s.field.level_ice()) {
-    const SheetBody& body = s.sheets.body(plate.level_ice());
+    const edge::SheetBody& body = s.sheets.body(plate.level_ice());
     boxes.push_back(body.mass > 0.0 ? moved_box({body.lower, body.upper}, s.sheets.start_pose(plate.level_ice()))
                                     : geometry::Extent{});
   }
@@ -107,7 +107,7 @@ void lay_sheet_near(State& s, const Laws& laws, BodyId body) {
     const int number = plate.level_ice();
     const Pose frame = s.sheets.start_pose(number);
     const geometry::Extent here = moved_box(near, inverse(frame));
-    const SheetBody& ice = s.sheets.body(number);
+    const edge::SheetBody& ice = s.sheets.body(number);
     if (!(ice.mass > 0.0) || are_apart(here, {ice.lower, ice.upper}, 0.0)) continue;
     s.tiles.lay(plate, s.world, here.lower, here.upper, frame, s.sheets.id(number));
   }
@@ -130,20 +130,20 @@ void take_back_sheets(State& s, const Laws& laws) {
 
 bool is_near(const State& s, const Laws& laws, const ice::Plate& plate, const structure::State& seen) {
   if (!s.sheets.any()) return true;
-  const SheetBody& body = s.sheets.body(plate.level_ice());
+  const edge::SheetBody& body = s.sheets.body(plate.level_ice());
   const Vec2 at = plan(seen.pose.position), reach{laws.hull_reach, laws.hull_reach};
   return body.mass > 0.0 && !are_apart({at - reach, at + reach}, {body.lower, body.upper}, 0.0);
 }
 
-void split_sheets(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step) {
+void split_sheets(State& s, const Laws& laws, const std::vector<edge::EdgeContact>& contacts, Step& step) {
   if (!s.sheets.any()) return;
   const StageTimer::Scope clock(step.timer, step.report.times.cutting);
   const int n_sheets = static_cast<int>(s.field.level_ice().size());
   for (int number = 0; number < n_sheets; ++number) {
-    const std::optional<SplittingForce> force = splitting_force(contacts, number);
+    const std::optional<edge::SplittingForce> force = edge::splitting_force(contacts, number);
     if (!force) continue;
     const ice::Plate& plate = s.field.level_ice(number);
-    const std::optional<failure::SplitPlate> ahead = rectangle_ahead(plate.sheet(), *force);
+    const std::optional<failure::SplitPlate> ahead = edge::rectangle_ahead(plate.sheet(), *force);
     if (!ahead) continue;
     const failure::SplittingLoad load{force->opening, force->push, plate.ice().thickness};
     const double intensity = failure::least_intensity(load, *ahead);
@@ -180,7 +180,7 @@ void release_small_sheets(State& s, const Laws& laws, Step& step) {
   for (int number = 0; number < n_sheets; ++number) {
     ice::Plate& plate = s.field.level_ice(number);
     const std::vector<geometry::Polygon> outlines = plate.outline();
-    if (outlines.empty() || is_plate(outlines, plate.ice(), laws.resolved.field.smallest_plate)) continue;
+    if (outlines.empty() || edge::is_plate(outlines, plate.ice(), laws.resolved.field.smallest_plate)) continue;
     geometry::Extent changed;
     for (const geometry::Polygon& polygon : outlines) changed.add(geometry::extent(polygon));
     const double reach = norm(changed.upper - changed.lower);

@@ -79,7 +79,7 @@ model::Checkpoint Simulation::checkpoint() const { return checkpoint_of(impl_->s
 double Simulation::time() const { return impl_->state.time(impl_->laws); }
 const std::vector<model::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
 std::vector<geometry::Polygon> Simulation::sheet() const { return outlines_in_world(impl_->state); }
-std::vector<SheetMotion> Simulation::sheet_motions() const { return impl_->state.sheets.motions(); }
+std::vector<model::SheetMotion> Simulation::sheet_motions() const { return impl_->state.sheets.motions(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->state.field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
 

@@ -13,7 +13,7 @@ void take(Step& step, State& s, const Laws& laws);
 
 // edge_stage.cpp: where structure and floes load the edge of level ice, and whether it fails.
 
-EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate);
+edge::EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate);
 /// Moves the structure by the largest part of `share` of the step that keeps within two limits; `share` becomes that
 /// part. Contacts stay below the failure model's upper range (Sec. 2.2.2: "a shorter time step can avoid it"). It
 /// cannot where a contact is above already: the step is then left whole. And no ice is loaded far beyond its strength,
@@ -21,15 +21,16 @@ EdgeModel edge_model(const State& s, const Laws& laws, const ice::Plate& plate);
 /// that they cover. So the contacts belong to the state that is reached, however short or long the step.
 /// @param done  share of the step before.
 /// @return the structure's contacts with level ice, without a verdict.
-std::vector<EdgeContact> move_within_limits(State& s, const Laws& laws, double done, double& share, Step& step);
+std::vector<edge::EdgeContact> move_within_limits(State& s, const Laws& laws, double done, double& share, Step& step);
 /// A part of the step loads the structure by crushing (Eq. 15), and edges that move follow its loads.
-void crush_edges(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, double done, double share, Step& step);
+void crush_edges(State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts, double done, double share,
+                 Step& step);
 /// Adds the edges of level ice under the floes that press on them, by their forces up to the step before. In the order
 /// of the floes; without a verdict.
-void add_contacts_of_floes(const State& s, const Laws& laws, std::vector<EdgeContact>& contacts);
+void add_contacts_of_floes(const State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts);
 /// Finds the verdicts on the contacts of each level ice together (Eqs. 17 to 19, or the plate). The most stressed one
 /// is first then where loads act together: it breaks the ice first.
-void judge(State& s, const Laws& laws, std::vector<EdgeContact>& contacts, double now, Step& step);
+void judge(State& s, const Laws& laws, std::vector<edge::EdgeContact>& contacts, double now, Step& step);
 /// The plane of the ice has an end, and so has the motion of a body that another program or its loads throw about.
 /// @throws RunError beyond it.
 void expect_on_the_plane(const State& s, const Laws& laws);
@@ -44,7 +45,7 @@ void initial_crack(State& s, const Laws& laws, Step& step);
 bool crush_passed_ice(State& s, const Laws& laws, double time, Step& step);
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order. A contact as
 /// near to a break of this step as its crack reaches is left to the next step.
-void break_ice(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step);
+void break_ice(State& s, const Laws& laws, const std::vector<edge::EdgeContact>& contacts, Step& step);
 /// A piece of level ice becomes a body of its own: a floe, or a large piece of a drifting sheet another sheet.
 void let_float(State& s, const Laws& laws, ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births,
                Step& step);
@@ -67,7 +68,7 @@ void hand_over_sheets(State& s, const Laws& laws);
 void take_back_sheets(State& s, const Laws& laws);
 /// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/fracture-of-floes.md, (G6), (G7),
 /// (G8).
-void split_sheets(State& s, const Laws& laws, const std::vector<EdgeContact>& contacts, Step& step);
+void split_sheets(State& s, const Laws& laws, const std::vector<edge::EdgeContact>& contacts, Step& step);
 /// A sheet that has become small becomes a floe.
 void release_small_sheets(State& s, const Laws& laws, Step& step);
 

@@ -34,10 +34,10 @@ std::vector<failure::EdgeDynamics> edge_dynamics(const model::Case& c, const ice
   return dynamics;
 }
 
-std::optional<const Coverage> coverage_of(const model::Case& c, const structure::Hull& hull,
-                                          const std::optional<const structure::Regions>& regions) {
+std::optional<const floes::Coverage> coverage_of(const model::Case& c, const structure::Hull& hull,
+                                                 const std::optional<const structure::Regions>& regions) {
   if (!regions || !c.structure.legs.empty()) return std::nullopt;
-  return Coverage(hull, *regions, c.ice.thickness);
+  return floes::Coverage(hull, *regions, c.ice.thickness);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ void add_criterion(State& s, const Laws& laws, const ice::Plate& plate) {
     s.criteria.push_back(std::shared_ptr(s.criteria[i]));
     return;
   }
-  s.criteria.push_back(make_criterion(laws.resolved, plate.ice()));
+  s.criteria.push_back(edge::make_criterion(laws.resolved, plate.ice()));
 }
 
 ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkpoint) {
@@ -107,7 +107,7 @@ ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkp
                                "a checkpoint of a case with the same values",
                                "resume with the case file and the --set options of the interrupted run, or start again "
                                "without --resume"});
-  return {resolved.field, ice_properties(resolved), ice::Variation(resolved), checkpoint};
+  return {resolved.field, edge::ice_properties(resolved), ice::Variation(resolved), checkpoint};
 }
 
 void restore(State& s, const Laws& laws, const model::Checkpoint& checkpoint) {

@@ -6,25 +6,25 @@
 #include <optional>
 #include <vector>
 
-#include "bearings.hpp"
 #include "brash/core/workers.hpp"
+#include "brash/edge/drifting_sheets.hpp"
+#include "brash/edge/edge_contact.hpp"
+#include "brash/edge/moving_edges.hpp"
+#include "brash/edge/sheet_tiles.hpp"
+#include "brash/edge/verdicts.hpp"
+#include "brash/floes/bearings.hpp"
+#include "brash/floes/coverage.hpp"
+#include "brash/floes/floe_bending.hpp"
+#include "brash/floes/floe_population.hpp"
+#include "brash/floes/floe_water.hpp"
+#include "brash/floes/sleep.hpp"
 #include "brash/ice/crack_pattern.hpp"
 #include "brash/ice/field.hpp"
 #include "brash/model/checkpoint.hpp"
 #include "brash/simulation/simulation.hpp"
-#include "coverage.hpp"
-#include "drifting_sheets.hpp"
-#include "edge_contact.hpp"
 #include "energy_ledger.hpp"
-#include "floe_bending.hpp"
-#include "floe_population.hpp"
-#include "floe_water.hpp"
-#include "moving_edges.hpp"
 #include "region_loads.hpp"
-#include "sheet_tiles.hpp"
-#include "sleep.hpp"
 #include "stage_timer.hpp"
-#include "verdicts.hpp"
 #include "watchdog.hpp"
 
 namespace brash::simulation {
@@ -37,10 +37,10 @@ struct Laws {
   std::unique_ptr<const structure::Hull> hull;
   double hull_reach;                                ///< from the origin of the structure to its farthest point [m]
   std::optional<const structure::Regions> regions;  ///< of the structure, for its loads
-  std::optional<const Coverage> coverage;           ///< of the regions of a hull
+  std::optional<const floes::Coverage> coverage;    ///< of the regions of a hull
   std::unique_ptr<const ice::CrackPattern> pattern;
-  FloeWater water;
-  StressLaw stress;
+  floes::FloeWater water;
+  floes::StressLaw stress;
 };
 
 /// All that the next step depends on. What a checkpoint holds of it: checkpoint_of(); the rest is made again.
@@ -54,21 +54,21 @@ struct State {
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   std::unique_ptr<structure::Motion> motion;
   ice::Field field;
-  MovingEdges edges;
-  Verdicts verdicts;
+  edge::MovingEdges edges;
+  edge::Verdicts verdicts;
   rigid_body::World world;
-  DriftingSheets sheets;
-  FloePopulation floes;
-  Bearings bearings;
-  FloeBending bending;
-  Sleep sleep;
+  edge::DriftingSheets sheets;
+  floes::FloePopulation floes;
+  floes::Bearings bearings;
+  floes::FloeBending bending;
+  floes::Sleep sleep;
   EnergyLedger energy;
   Watchdog watchdog;
 
   // Made again from the above.
   BodyId structure_body;
   std::vector<geometry::Extent> borders;  ///< around each wall and each part of a shore
-  SheetTiles tiles;
+  edge::SheetTiles tiles;
   std::vector<std::shared_ptr<const failure::BendingCriterion>> criteria;  ///< of each level ice
 
   double time(const Laws& laws) const { return static_cast<double>(n_steps) * laws.resolved.time.step; }

@@ -16,10 +16,10 @@ void advance_through_ice(State& s, const Laws& laws, Step& step) {
   int n_parts = 0;
   for (double done = 0.0, share = 1.0; done < 1.0; ++n_parts, share = 1.0 - done) {
     look_for_interruption();
-    std::vector<EdgeContact> contacts = move_within_limits(s, laws, done, share, step);
+    std::vector<edge::EdgeContact> contacts = move_within_limits(s, laws, done, share, step);
     crush_edges(s, laws, contacts, done, share, step);
     done += share;
-    const std::vector<EdgeContact> of_structure = s.sheets.any() ? contacts : std::vector<EdgeContact>{};
+    const std::vector<edge::EdgeContact> of_structure = s.sheets.any() ? contacts : std::vector<edge::EdgeContact>{};
     add_contacts_of_floes(s, laws, contacts);
     judge(s, laws, contacts, s.time(laws) + done * laws.resolved.time.step, step);
     break_ice(s, laws, contacts, step);
@@ -110,7 +110,7 @@ Wrench collect_loads(State& s, const Laws& laws, Step& step) {
   row.bed = in_load_axes(bed);
   row.regions = step.region_loads.in(in_load_axes);
   if (laws.coverage) {
-    const CoveredShares covered = laws.coverage->by(s.world, s.floes, now.pose);
+    const floes::CoveredShares covered = laws.coverage->by(s.world, s.floes, now.pose);
     for (std::size_t i = 0; i < covered.size(); ++i) row.regions[i].covered = covered[i];
   }
 

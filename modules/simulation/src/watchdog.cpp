@@ -69,8 +69,8 @@ void Watchdog::look(const Watched& now) {
   open_accounts(now.floes);
   explain_gyration(now.world);
   const std::vector<BodyId>& moving = now.world.moving();
-  now.world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) {
-    const Floe& floe = now.floes.at(moving[i]);
+  now.world.workers().each(moving.size(), floes::kCheapFloes, [&](std::size_t i) {
+    const floes::Floe& floe = now.floes.at(moving[i]);
     look_at_place(floe, now.world.pose(moving[i]).position, now.row.time);
     look_at_energy(now, moving[i], floe);
   });
@@ -79,7 +79,7 @@ void Watchdog::look(const Watched& now) {
 }
 
 /// One account for each floe that is there, empty for a new floe.
-void Watchdog::open_accounts(const FloePopulation& floes) {
+void Watchdog::open_accounts(const floes::FloePopulation& floes) {
   if (next_id_ != floes.next_id()) {
     for (const auto& [body, floe] : floes.floes())
       if (floe.id >= next_id_) accounts_.try_emplace(body);
@@ -96,7 +96,7 @@ void Watchdog::remove(BodyId body, double weight) {
   allowed_to_gone_ += allowance(weight, account.empty() ? 0.0 : account.mapped().travel);
 }
 
-void Watchdog::save(const FloePopulation& floes, model::Checkpoint& checkpoint) const {
+void Watchdog::save(const floes::FloePopulation& floes, model::Checkpoint& checkpoint) const {
   model::save(checkpoint, "watchdog", *this);
   model::Table table{"watched_floe", {}};
   for (const auto& [body, account] : accounts_) {
@@ -107,7 +107,7 @@ void Watchdog::save(const FloePopulation& floes, model::Checkpoint& checkpoint) 
   checkpoint.tables.push_back(std::move(table));
 }
 
-void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& checkpoint) {
+void Watchdog::restore(const floes::FloePopulation& floes, const model::Checkpoint& checkpoint) {
   model::restore(checkpoint, "watchdog", *this);
   const std::map<std::int64_t, BodyId> bodies = floes.bodies_by_id();
   const model::Table& table = checkpoint.table("watched_floe");
@@ -121,7 +121,7 @@ void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& che
 
 /// No floe is farther from the field than the field is large, but for its drift in current and wind and for what the
 /// structure pushes along. None is farther below or above the structure than the structure is high, or than ice piles.
-void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
+void Watchdog::look_at_place(const floes::Floe& floe, Vec3 place, double time) const {
   const model::Case& c = *case_;
   const double drift = norm(current_past_ice(c)) + norm(c.wind.velocity), pushed = travel_ / c.time.step * time;
   const double astern = c.field.length + c.field.width + drift * time + (goes_straight(c) ? 0.0 : pushed);
@@ -146,7 +146,7 @@ void Watchdog::explain_gyration(const rigid_body::World& world) {
 
 /// No floe has more energy than contacts, water and its height gave it. Its force F changes once, too: from nearly
 /// nothing afloat to its weight in air. So the errors of its steps, dt F (u' - u) / 2, add up to as much again.
-void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
+void Watchdog::look_at_energy(const Watched& now, BodyId body, const floes::Floe& floe) {
   const double energy = now.floes.energy(now.world, body, floe);
   const double received = now.energy.received(body);
   Account& account = accounts_.at(body);
@@ -160,7 +160,7 @@ void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe)
                   floe.id, floe.inertia.mass, energy, account.explained, allowed));
 }
 
-double Watchdog::allowance_of_all(const FloePopulation& floes, double enough) const {
+double Watchdog::allowance_of_all(const floes::FloePopulation& floes, double enough) const {
   double sum = allowed_to_gone_;
   for (const auto& [body, floe] : floes.floes()) {
     if (sum >= enough) break;

@@ -5,20 +5,20 @@
 #include <map>
 #include <utility>
 
+#include "brash/floes/floe_population.hpp"
 #include "brash/geometry/ledger.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "energy_ledger.hpp"
-#include "floe_population.hpp"
 
 namespace brash::simulation {
 
 /// A state after a step, with the accounts kept of it.
 struct Watched {
   const rigid_body::World& world;
-  const FloePopulation& floes;
+  const floes::FloePopulation& floes;
   const EnergyLedger& energy;
   const geometry::Ledger& area;
   const model::LoadRow& row;  ///< the load row of the step
@@ -45,9 +45,9 @@ class Watchdog {
   /// A floe of this weight [N] has gone. What the time step explains of its energy still counts in the balance.
   void remove(BodyId body, double weight);
 
-  void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
+  void save(const floes::FloePopulation& floes, model::Checkpoint& checkpoint) const;
   /// Continues with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
-  void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);
+  void restore(const floes::FloePopulation& floes, const model::Checkpoint& checkpoint);
 
   /// The members that are not of one floe.
   template <typename Self, typename Visit>
@@ -66,7 +66,7 @@ class Watchdog {
   /// @param travel  longest travel of the floe in a step [m].
   double allowance(double weight, double travel) const { return 0.5 * most_lift_ * weight * std::max(travel, travel_); }
   /// Summed up until it is `enough` [J].
-  double allowance_of_all(const FloePopulation& floes, double enough) const;
+  double allowance_of_all(const floes::FloePopulation& floes, double enough) const;
   /// Of a floe.
   struct Account {
     double explained = 0.0;  ///< energy that its work explains [J]
@@ -74,11 +74,11 @@ class Watchdog {
   };
 
   void see_structure(const Twist& twist);
-  void open_accounts(const FloePopulation& floes);
+  void open_accounts(const floes::FloePopulation& floes);
   double impulses(const rigid_body::World& world) const;
 
-  void look_at_place(const Floe& floe, Vec3 place, double time) const;
-  void look_at_energy(const Watched& now, BodyId body, const Floe& floe);
+  void look_at_place(const floes::Floe& floe, Vec3 place, double time) const;
+  void look_at_energy(const Watched& now, BodyId body, const floes::Floe& floe);
   void explain_gyration(const rigid_body::World& world);
   void look_at_losses(const Watched& now) const;
   void look_at_balance(const Watched& now) const;

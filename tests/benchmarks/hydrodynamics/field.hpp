@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "brash/edge/edge_contact.hpp"
+#include "brash/floes/floe_water.hpp"
 #include "brash/io/case.hpp"
-#include "edge_contact.hpp"
-#include "floe_water.hpp"
 
 namespace brash::benchmarks {
 
-using simulation::FloePopulation;
+using floes::FloePopulation;
 
 inline constexpr double kStep = 0.01;
 
@@ -35,7 +35,7 @@ struct Field {
         for (int j = 0; j < side; ++j) {
           const Vec2 low = 1.4 * Vec2{i + 0.3 * layer, j + 0.2 * layer};
           const std::vector<Vec2> ring{low, low + Vec2{1.395, 0}, low + Vec2{1.395, 1.395}, low + Vec2{0, 1.395}};
-          brash::ice::Plate plate(0, brash::ice::Hold::kAfloat, simulation::ice_properties(ice),
+          brash::ice::Plate plate(0, brash::ice::Hold::kAfloat, edge::ice_properties(ice),
                                   {{geometry::ring(ring), {}}});
           if (!floes.add(world, std::move(plate), 0.0)) continue;
           const BodyId body = floes.floes().rbegin()->first;
@@ -49,8 +49,8 @@ struct Field {
 
   model::Case ice;
   rigid_body::World world;
-  FloePopulation floes;
-  simulation::FloeWater water;
+  floes::FloePopulation floes;
+  floes::FloeWater water;
 };
 
 }  // namespace brash::benchmarks

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "brash/floes/plan.hpp"
 #include "brash/simulation/setup.hpp"
 #include "bullet_types.hpp"
-#include "plan.hpp"
 
 namespace brash::benchmarks {
 
@@ -133,9 +133,9 @@ BulletBody BulletWorld::make(const std::vector<rigid_body::ConvexPart>& solids, 
 BulletBody BulletWorld::make_floe(const FloeThen& floe) {
   const double thickness = case_.ice.thickness;
   std::vector<std::vector<Vec2>> parts;
-  for (const geometry::Ring& part : geometry::convex_parts(floe.outline)) parts.push_back(simulation::to_metres(part));
+  for (const geometry::Ring& part : geometry::convex_parts(floe.outline)) parts.push_back(floes::to_metres(part));
   const auto placed =
-      rigid_body::place_prism(simulation::rings_in_metres(floe.outline), parts, thickness, floe.pose.position.z);
+      rigid_body::place_prism(floes::rings_in_metres(floe.outline), parts, thickness, floe.pose.position.z);
   const auto mass = rigid_body::mass_properties(placed.prism, case_.ice.density, case_.hydrodynamics.added_mass);
   std::vector<rigid_body::ConvexPart> solids;
   for (const auto& ring : placed.prism.parts)
@@ -149,7 +149,7 @@ void BulletWorld::set_sheet(const std::vector<geometry::Polygon>& sheet, double 
   std::map<Outline, std::vector<BulletBody>> now;
   for (const geometry::Polygon& polygon : sheet)
     for (const geometry::Ring& part : geometry::convex_parts(polygon)) {
-      const std::vector<Vec2> ring = simulation::to_metres(part);
+      const std::vector<Vec2> ring = floes::to_metres(part);
       Outline key;
       for (const Vec2 v : ring) key.emplace_back(v.x, v.y);
       auto known = sheet_.extract(key);

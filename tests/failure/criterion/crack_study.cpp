@@ -55,7 +55,7 @@ Json field(const plate::SheetSolution& solution, const failure::IceProperties& i
 }
 
 /// The sheet of a load case at the instant of its break; nothing where it does not break along the stress.
-std::optional<Json> drawn(const failure::LoadCase& load, const simulation::EdgeModel& model) {
+std::optional<Json> drawn(const failure::LoadCase& load, const edge::EdgeModel& model) {
   const failure::Assessment assessment = model.criterion.assess(load);
   if (!assessment.fails || assessment.crack.empty()) return std::nullopt;
   const bool second_order = model.resolved.failure.second_order && !assessment.buckled;
@@ -80,7 +80,7 @@ std::optional<Json> drawn(const failure::LoadCase& load, const simulation::EdgeM
 }
 
 /// The break of the next step, if it is the structure's and its loads are the structure's alone.
-std::optional<Json> next_break(testing::EdgeOfRun& run, const simulation::EdgeModel& model) {
+std::optional<Json> next_break(testing::EdgeOfRun& run, const edge::EdgeModel& model) {
   const geometry::IceSheet sheet = run.next_sheet(model);
   const auto contacts = run.next_contacts(model, sheet);
   const simulation::StepReport report = run.step();
@@ -90,7 +90,7 @@ std::optional<Json> next_break(testing::EdgeOfRun& run, const simulation::EdgeMo
       const geometry::ContactRegion& region = contacts[i].region;
       if (norm(0.5 * (region.chord_from + region.chord_to) - event.tip) > 1e-6) continue;
       failure::LoadCase load = contacts[i].load;
-      if (!simulation::place_loads(model, sheet, contacts, i, true, load)) continue;
+      if (!edge::place_loads(model, sheet, contacts, i, true, load)) continue;
       auto data = drawn(load, model);
       if (!data || std::abs(data->at("breaking_length").get<double>() / event.breaking_length - 1.0) > 0.02) continue;
       data->emplace("time", rounded(event.time));
@@ -107,8 +107,8 @@ int main(int argc, char** argv) {
   // One break after each fifth of a run, of as many runs as it takes.
   for (int seed = argc > 1 ? std::atoi(argv[1]) : 101; breaks.size() < 5; ++seed) {
     testing::EdgeOfRun run(seed);
-    const auto criterion = simulation::make_criterion(run.resolved, run.ice);
-    const simulation::EdgeModel model{*run.hull, run.resolved, run.ice, *criterion};
+    const auto criterion = edge::make_criterion(run.resolved, run.ice);
+    const edge::EdgeModel model{*run.hull, run.resolved, run.ice, *criterion};
     double from = 0.1 * run.resolved.time.duration;
     while (!run.is_over() && breaks.size() < 5) {
       if (run.simulation.time() < from) {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "brash/edge/edge_contact.hpp"
+#include "brash/edge/sheet_loads.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/simulation.hpp"
-#include "edge_contact.hpp"
-#include "sheet_loads.hpp"
 
 namespace brash::testing {
 
@@ -18,7 +18,7 @@ class EdgeOfRun {
   explicit EdgeOfRun(int seed)
       : resolved(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
                                {"algorithm.preset=brash", "random.seed=" + std::to_string(seed)})),
-        ice(simulation::ice_properties(resolved)),
+        ice(edge::ice_properties(resolved)),
         hull(structure::make_hull(resolved.structure)),
         simulation(resolved),
         motion_(structure::make_motion(resolved, *hull)) {}
@@ -26,15 +26,14 @@ class EdgeOfRun {
   bool is_over() const { return simulation.time() >= resolved.time.duration; }
 
   /// The sheet that the next step breaks: the structure has crushed the ice that it passes through.
-  geometry::IceSheet next_sheet(const simulation::EdgeModel& model) const {
+  geometry::IceSheet next_sheet(const edge::EdgeModel& model) const {
     auto sheet = geometry::IceSheet::from_polygons(simulation.sheet());
-    for (const geometry::Ring& outline : simulation::trailing_outlines(model, motion_->after(1.0).pose))
+    for (const geometry::Ring& outline : edge::trailing_outlines(model, motion_->after(1.0).pose))
       (void)sheet.value().cut(outline);
     return std::move(sheet.value());
   }
-  std::vector<simulation::EdgeContact> next_contacts(const simulation::EdgeModel& model,
-                                                     const geometry::IceSheet& sheet) const {
-    return simulation::edge_contacts(model, sheet, motion_->after(1.0));
+  std::vector<edge::EdgeContact> next_contacts(const edge::EdgeModel& model, const geometry::IceSheet& sheet) const {
+    return edge::edge_contacts(model, sheet, motion_->after(1.0));
   }
 
   simulation::StepReport step() {

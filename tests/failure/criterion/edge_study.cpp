@@ -58,11 +58,11 @@ std::optional<OnSheet> on_sheet(const failure::LoadCase& load, const failure::Ic
 }
 
 /// Nothing where the sheet cannot be solved.
-std::optional<Judged> judge(const simulation::EdgeModel& model, const geometry::IceSheet& sheet,
-                            const std::vector<simulation::EdgeContact>& contacts, std::size_t i) {
+std::optional<Judged> judge(const edge::EdgeModel& model, const geometry::IceSheet& sheet,
+                            const std::vector<edge::EdgeContact>& contacts, std::size_t i) {
   failure::LoadCase alone = contacts[i].load, joint = contacts[i].load;
-  if (!simulation::place_loads(model, sheet, contacts, i, false, alone) ||
-      !simulation::place_loads(model, sheet, contacts, i, true, joint))
+  if (!edge::place_loads(model, sheet, contacts, i, false, alone) ||
+      !edge::place_loads(model, sheet, contacts, i, true, joint))
     return std::nullopt;
   const failure::Assessment quick = model.criterion.assess(contacts[i].load);
   const auto fast = on_sheet(alone, model.ice, plate::Accuracy::kFast);
@@ -119,8 +119,7 @@ void table(const std::vector<Judged>& judged, double least) {
 }
 
 /// The contacts whose trapezoid has at least 5 % of the strength. Most of the others have just touched the edge.
-std::vector<std::size_t> bearing(const simulation::EdgeModel& model,
-                                 const std::vector<simulation::EdgeContact>& contacts) {
+std::vector<std::size_t> bearing(const edge::EdgeModel& model, const std::vector<edge::EdgeContact>& contacts) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const failure::LoadCase& load = contacts[i].load;
@@ -143,7 +142,7 @@ void print(const failure::LoadCase& load, const Judged& one) {
 void judge_run(int seed, int pause, std::vector<Judged>& judged, int& n_refused) {
   testing::EdgeOfRun run(seed);
   const auto trapezoid = failure::make_criterion(model::FailureModel::kSuperposition, "", run.ice);
-  const simulation::EdgeModel model{*run.hull, run.resolved, run.ice, *trapezoid};
+  const edge::EdgeModel model{*run.hull, run.resolved, run.ice, *trapezoid};
   std::size_t turn = 0;
   for (int step = 0, next = pause; !run.is_over(); ++step, (void)run.step()) {
     if (step < next) continue;

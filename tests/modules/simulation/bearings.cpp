@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bearings.hpp"
+#include "brash/floes/bearings.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -26,12 +26,12 @@ struct Gap {
   void step() {
     (void)pool.step(kStep);
     bearings.average(
-        pool.world, pool.floes, contacts_by_place(pool.world), [&](BodyId part) { return part == left_wall ? 0 : 1; },
-        kStep);
+        pool.world, pool.floes, floes::contacts_by_place(pool.world),
+        [&](BodyId part) { return part == left_wall ? 0 : 1; }, kStep);
   }
 
   Pool pool{{"time.settle_speed=0.05", "time.step=0.01"}};
-  Bearings bearings;
+  floes::Bearings bearings;
   BodyId left_wall, floe;
 };
 
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(what_a_floe_presses_is_kept_apart_for_each_level_ice) {
   Gap gap;
   for (int i = 0; i < 10; ++i) gap.step();
   BOOST_REQUIRE(gap.bearings.all().size() == 2u);
-  const Bearing &left = gap.bearings.all().at({gap.floe, 0}), &right = gap.bearings.all().at({gap.floe, 1});
+  const floes::Bearing &left = gap.bearings.all().at({gap.floe, 0}), &right = gap.bearings.all().at({gap.floe, 1});
   BOOST_TEST(left.thrust.x < 0.0);
   BOOST_TEST(right.thrust.x > 0.0);
   BOOST_TEST(left.first.x / left.weight == -1.0, boost::test_tools::tolerance(0.01));
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(bearings_restore_what_they_saved) {
   for (int i = 0; i < 10; ++i) gap.step();
   model::Checkpoint checkpoint;
   gap.bearings.save(gap.pool.floes, checkpoint);
-  Bearings restored;
+  floes::Bearings restored;
   restored.restore(gap.pool.floes, checkpoint);
   BOOST_TEST((restored.all() == gap.bearings.all()));
 }

@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_structure_that_pushes_a_grounded_block_bears_the_friction
 BOOST_AUTO_TEST_CASE(a_grounded_block_falls_asleep) {
   Shallows water(0.2, {"time.settle_speed=0.05", "time.step=0.01"});
   const BodyId block = water.add_grounded();
-  const Clear everywhere{.origin = {1e6, 0.0}, .course = {1.0, 0.0}};
+  const floes::Clear everywhere{.origin = {1e6, 0.0}, .course = {1.0, 0.0}};
   double taken = 0.0;
   for (int i = 0; i < 250; ++i) {
     (void)water.step(kStep);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sheets with free borders as bodies; docs/theory/fracture-of-floes.md.
-#include "drifting_sheets.hpp"
+#include "brash/edge/drifting_sheets.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -10,17 +10,17 @@
 #include <numbers>
 #include <utility>
 
+#include "brash/edge/sheet_tiles.hpp"
+#include "brash/edge/splitting_force.hpp"
 #include "brash/io/case.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "laid_floes.hpp"
-#include "sheet_tiles.hpp"
-#include "splitting_force.hpp"
 
 namespace {
 
 using namespace brash;
-using simulation::DriftingSheets;
+using edge::DriftingSheets;
 
 model::Case free_case(std::vector<std::string> overrides = {}) {
   overrides.emplace_back("field.border=free");
@@ -42,7 +42,7 @@ struct Lone {
   explicit Lone(const model::Case& c) : sheets(c, world, true) {}
 
   /// A step with a force of the structure [N] at each point [m]. @return the work on the sheets [J].
-  simulation::WorkOnSheets step(double dt, const std::vector<std::pair<Vec3, Vec3>>& forces = {}) {
+  edge::WorkOnSheets step(double dt, const std::vector<std::pair<Vec3, Vec3>>& forces = {}) {
     sheets.begin_step();
     sheets.advance(dt);
     for (const auto& [force, point] : forces) sheets.push(0, force, point);
@@ -52,7 +52,7 @@ struct Lone {
   }
 
   rigid_body::World world{{.ice_structure = {0.0, 5e5}, .ice_ice = {0.3, 5e5}}};
-  DriftingSheets sheets;
+  edge::DriftingSheets sheets;
 };
 
 const std::vector<std::string> kNoDrag{"hydrodynamics.form_drag=0", "hydrodynamics.skin_friction=0"};
@@ -89,19 +89,19 @@ BOOST_AUTO_TEST_CASE(the_end_of_a_step_leaves_a_frame_where_it_is_to_the_bit) {
 BOOST_AUTO_TEST_CASE(a_sheet_under_a_constant_force_accelerates_by_force_over_mass_and_turns_by_moment_over_inertia) {
   const model::Case c = free_case(kNoDrag);
   Lone lone(c);
-  DriftingSheets& sheets = lone.sheets;
+  edge::DriftingSheets& sheets = lone.sheets;
   const double a = 40.0, b = 20.0, mass = c.ice.density * c.ice.thickness * a * b, dt = 0.01;
   sheets.add(plate(c, a, b));
   const double moment = 2e4;  // F1: about the centre, by a pair of forces
   double work = 0.0;
   for (int i = 0; i < 200; ++i) {
-    const simulation::SheetMotion now = sheets.motions()[0];
+    const model::SheetMotion now = sheets.motions()[0];
     const Vec2 centre = now.centre + dt * now.velocity;
-    const simulation::WorkOnSheets done = lone.step(dt, {{{0, 5e4 + moment / 8.0, 0}, {centre.x + 4.0, centre.y, 0}},
-                                                         {{0, -moment / 8.0, 0}, {centre.x - 4.0, centre.y, 0}}});
+    const edge::WorkOnSheets done = lone.step(dt, {{{0, 5e4 + moment / 8.0, 0}, {centre.x + 4.0, centre.y, 0}},
+                                                   {{0, -moment / 8.0, 0}, {centre.x - 4.0, centre.y, 0}}});
     work += done.edge + done.form + done.skin + done.wind;
   }
-  const simulation::SheetMotion moved = sheets.motions()[0];
+  const model::SheetMotion moved = sheets.motions()[0];
   const double t = 2.0, inertia = mass * (a * a + b * b) / 12.0;
   BOOST_TEST(moved.mass == mass, boost::test_tools::tolerance(1e-13));
   // 5e4 N at an arm of 4 m and a pair of 2e4 N m.
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_under_a_constant_force_accelerates_by_force_over_ma
 BOOST_AUTO_TEST_CASE(a_sheet_that_is_pushed_through_water_reaches_the_speed_of_the_closed_form) {
   const model::Case c = free_case();
   Lone lone(c);
-  DriftingSheets& sheets = lone.sheets;
+  edge::DriftingSheets& sheets = lone.sheets;
   const double a = 40.0, b = 20.0, mass = c.ice.density * c.ice.thickness * a * b, dt = 0.01, force = 2e5;
   sheets.add(plate(c, a, b));
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
@@ -135,10 +135,10 @@ BOOST_AUTO_TEST_CASE(a_sheet_that_is_pushed_through_water_reaches_the_speed_of_t
 BOOST_AUTO_TEST_CASE(still_water_stops_a_drift_and_a_spin_and_a_current_carries_a_sheet_along) {
   const model::Case c = free_case({"water.current=[0.3, -0.1]"});
   Lone lone(c);
-  DriftingSheets& sheets = lone.sheets;
+  edge::DriftingSheets& sheets = lone.sheets;
   sheets.add(plate(c, 40.0, 20.0), {.velocity = {0.0, 0.5}, .spin = 0.05});
   for (int i = 0; i < 40000; ++i) static_cast<void>(lone.step(0.05));
-  const simulation::SheetMotion at_last = sheets.motions()[0];
+  const model::SheetMotion at_last = sheets.motions()[0];
   // A quadratic drag leaves about m / (k t): 2.4e5 kg / (2e3 kg/m * 2000 s) at the least skin friction.
   BOOST_TEST(norm(at_last.velocity - Vec2{0.3, -0.1}) < 0.02);
   BOOST_TEST(std::abs(at_last.spin) < 0.01);
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
   c.field.floes.border = model::FloeBorder::kWalls;
   Lone lone(c);
   simulation::lay_borders(c, lone.world);
-  simulation::SheetTiles tiles(c);
+  edge::SheetTiles tiles(c);
   const double b = 16.0, dt = 0.02;
   double x = 60.0, expected = 0.0;
   for (int number = 0; number < 3; ++number) {
@@ -196,14 +196,13 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
       if (!tiles.level_ice_of(contact.other)) on_wall -= contact.normal_force * contact.normal.x / kCount;
   }
   BOOST_TEST(on_wall == expected, boost::test_tools::tolerance(1e-3));  // ice.md, (F10)
-  for (const simulation::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
+  for (const model::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(the_rectangle_of_a_crack_is_as_long_as_its_way_through_the_ice) {
   const ice::Plate ice = plate(free_case(), 100.0, 400.0);
   const auto ahead = [&](double angle) {
-    return simulation::rectangle_ahead(ice.sheet(),
-                                       {.at = {0.0, 200.0}, .towards = {std::cos(angle), std::sin(angle)}});
+    return edge::rectangle_ahead(ice.sheet(), {.at = {0.0, 200.0}, .towards = {std::cos(angle), std::sin(angle)}});
   };
   constexpr double kThirty = std::numbers::pi / 6.0;
   BOOST_REQUIRE(ahead(0.0).has_value());
@@ -218,7 +217,7 @@ BOOST_AUTO_TEST_CASE(the_rectangle_of_a_crack_is_as_long_as_its_way_through_the_
 BOOST_AUTO_TEST_CASE(a_floe_far_from_the_ice_lays_no_tiles) {
   const model::Case c = free_case(kNoDrag);
   Lone lone(c);
-  simulation::SheetTiles tiles(c);
+  edge::SheetTiles tiles(c);
   // Beyond the plane of the exact ice, whose corners could not be snapped.
   BOOST_CHECK_NO_THROW(tiles.lay(plate(c, 20.0, 10.0), lone.world, {-9000.0, 0.0}, {-8990.0, 4.0}));
 }
@@ -233,7 +232,7 @@ BOOST_AUTO_TEST_CASE(wind_presses_a_sheet_of_level_ice_on_the_shore) {
   Lone lone(c);
   simulation::lay_borders(c, lone.world);
   std::filesystem::remove(shore);
-  simulation::SheetTiles tiles(c);
+  edge::SheetTiles tiles(c);
   const double a = 40.0, b = 20.0, dt = 0.02;
   const ice::Plate ice = plate(c, a, b);
   lone.sheets.add(ice, {.position = {0.0, 5.0}});
@@ -257,7 +256,7 @@ BOOST_AUTO_TEST_CASE(wind_presses_a_sheet_of_level_ice_on_the_shore) {
 BOOST_AUTO_TEST_CASE(ice_that_leaves_a_sheet_takes_its_momentum_along_and_the_rest_moves_on) {
   const model::Case c = free_case(kNoDrag);
   Lone lone(c);
-  DriftingSheets& sheets = lone.sheets;
+  edge::DriftingSheets& sheets = lone.sheets;
   sheets.add(plate(c, 40.0, 20.0), {.position = {3.0, 1.0}, .angle = 0.4, .velocity = {1.0, 0.2}, .spin = 0.1});
   const double before = sheets.kinetic_energy();
   const Twist field = sheets.twist(0);
@@ -266,7 +265,7 @@ BOOST_AUTO_TEST_CASE(ice_that_leaves_a_sheet_takes_its_momentum_along_and_the_re
   BOOST_TEST(before - lost == sheets.kinetic_energy(), boost::test_tools::tolerance(1e-13));
   BOOST_TEST((sheets.twist(0) == field));
   BOOST_TEST((plan(sheets.to_world(0, {30.0, 5.0, 0.0})) == corner));
-  const simulation::SheetMotion rest = sheets.motions()[0];
+  const model::SheetMotion rest = sheets.motions()[0];
   // The middle of the rest, as a point of the old sheet.
   const Vec2 middle = plan(sheets.to_world(0, {15.0, 10.0, 0.0}));
   const Vec3 velocity = velocity_at(field, Vec3{middle.x - 3.0, middle.y - 1.0, 0.0});
@@ -277,7 +276,7 @@ BOOST_AUTO_TEST_CASE(ice_that_leaves_a_sheet_takes_its_momentum_along_and_the_re
 BOOST_AUTO_TEST_CASE(a_structure_is_seen_from_a_sheet_that_drifts_and_turns_as_it_moves_past) {
   const model::Case c = free_case();
   Lone lone(c);
-  DriftingSheets& sheets = lone.sheets;
+  edge::DriftingSheets& sheets = lone.sheets;
   sheets.add(plate(c, 40.0, 20.0), {.position = {3.0, 1.0}, .angle = 0.4, .velocity = {1.0, 0.2}, .spin = 0.1});
   const structure::State structure{{{-5.0, 2.0, 0.5}, {}}, {{1.2, 0.1, 0.0}, {0.0, 0.0, 0.03}}};
   const structure::State seen = sheets.seen_from(0, structure);
@@ -294,7 +293,7 @@ BOOST_AUTO_TEST_CASE(a_structure_is_seen_from_a_sheet_that_drifts_and_turns_as_i
 BOOST_AUTO_TEST_CASE(a_floe_and_a_sheet_that_meet_keep_their_momentum) {
   const model::Case c = free_case(kNoDrag);
   rigid_body::World world({.ice_structure = {0.0, 5e5}, .ice_ice = {0.3, 5e5}});
-  DriftingSheets sheets(c, world, true);
+  edge::DriftingSheets sheets(c, world, true);
   sheets.add(plate(c, 20.0, 20.0), {.velocity = {-0.4, 0.0}});
   const std::vector<Vec2> tile{{0, 5}, {4, 5}, {4, 15}, {0, 15}};
   const std::vector<std::vector<Vec2>> ring{{{-4, 8}, {-0.01, 8}, {-0.01, 12}, {-4, 12}}};
@@ -303,7 +302,7 @@ BOOST_AUTO_TEST_CASE(a_floe_and_a_sheet_that_meet_keep_their_momentum) {
   const rigid_body::MassProperties mass = rigid_body::mass_properties(placed.prism, c.ice.density, 0.0);
   const BodyId floe = world.add_floe(placed.prism, mass, placed.pose, {{0.6, 0.0, 0.0}, {}});
   const auto momentum = [&] {
-    const simulation::SheetMotion sheet = sheets.motions()[0];
+    const model::SheetMotion sheet = sheets.motions()[0];
     return sheet.mass * sheet.velocity + mass.mass * plan(world.twist(floe).linear);
   };
   const Vec2 before = momentum();
@@ -345,7 +344,7 @@ BOOST_AUTO_TEST_CASE(the_structure_gives_a_sheet_the_momentum_that_the_sheet_tak
     crushed = report.loads.area_crushed;
     broken = !report.events.empty();
     if (broken) return;
-    const simulation::SheetMotion sheet = simulation.sheet_motions()[0];
+    const model::SheetMotion sheet = simulation.sheet_motions()[0];
     // Crushed ice leaves with the sheet's velocity.
     const double left = c.ice.density * c.ice.thickness * crushed * norm(sheet.velocity);
     BOOST_TEST(std::abs(sheet.mass * sheet.velocity.x - given.x) <= left + 1e-9 * given.x);
@@ -382,11 +381,11 @@ BOOST_AUTO_TEST_CASE(a_sheet_that_crushing_severs_goes_on_as_two) {
                  "field.initial_crack=false", "ice.fracture_toughness=1e7", "time.step=0.005", "time.duration=1.5"});
   simulation::Simulation simulation(c);
   step_through(simulation, 300, [](const simulation::StepReport& report) { BOOST_TEST(report.events.empty()); });
-  const std::vector<simulation::SheetMotion> halves = simulation.sheet_motions();
+  const std::vector<model::SheetMotion> halves = simulation.sheet_motions();
   BOOST_REQUIRE(halves.size() == 2u);
   BOOST_TEST(simulation.sheet().size() == 2u);
   // The channel is as wide as the cylinder. The halves are hinged on nothing: each turns its own way.
-  for (const simulation::SheetMotion& half : halves)
+  for (const model::SheetMotion& half : halves)
     BOOST_TEST(half.mass == c.ice.density * c.ice.thickness * 4.0 * 49.5, boost::test_tools::tolerance(2e-3));
   BOOST_TEST(halves[0].spin * halves[1].spin < 0.0);
   BOOST_TEST(simulation.ledger().closes());
@@ -434,7 +433,7 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and
     n_floes = std::max(n_floes, one.loads.n_floes);
   }
   BOOST_TEST(n_floes > 3);
-  const simulation::SheetMotion sheet = whole.sheet_motions()[0];
+  const model::SheetMotion sheet = whole.sheet_motions()[0];
   BOOST_TEST(sheet.velocity.x > 0.01);
   BOOST_TEST(sheet.velocity.x == resumed.sheet_motions()[0].velocity.x);
   BOOST_TEST(whole.ledger().closes());

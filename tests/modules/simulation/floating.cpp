@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(a_floe_that_falls_into_the_water_hands_on_momentum_to_its_a
   const double wet = floe.inertia().mass;
   BOOST_TEST(wet == 1.5 * dry, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(wet * floe.world.twist(floe.body).linear.z == dry * falling.linear.z, boost::test_tools::tolerance(1e-3));
-  const simulation::Floe& state = floe.floes.floes().at(floe.body);
+  const floes::Floe& state = floe.floes.floes().at(floe.body);
   BOOST_TEST(state.shed == 0.5 * dry * 400.0 * (1.0 - dry / wet), boost::test_tools::tolerance(1e-3));
 }
 

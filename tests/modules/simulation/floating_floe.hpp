@@ -8,9 +8,9 @@
 
 #include "afloat.hpp"
 #include "brash/core/constants.hpp"
+#include "brash/floes/floe_water.hpp"
 #include "brash/io/case.hpp"
 #include "brash/rigid_body/world.hpp"
-#include "floe_water.hpp"
 
 namespace brash::simulation::testing {
 
@@ -56,8 +56,8 @@ struct FloatingFloe {
 
   model::Case ice;
   rigid_body::World world;
-  FloePopulation floes;
-  FloeWater water;
+  floes::FloePopulation floes;
+  floes::FloeWater water;
   double l;
   double b;
   double rest = 0.0;  ///< height of the centre of mass at rest, Archimedes [m]

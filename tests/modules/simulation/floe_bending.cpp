@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "floe_bending.hpp"
+#include "brash/floes/floe_bending.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -35,7 +35,7 @@ struct Bridge {
     for (const BodyId support : supports)
       pool.world.move_sheet_part(support, {{way, 0.0, 0.0}, {}}, {{speed, 0.0, 0.0}, {}});
     (void)pool.step(kDt);
-    bending.average(pool.world, pool.floes, contacts_by_place(pool.world), kDt);
+    bending.average(pool.world, pool.floes, floes::contacts_by_place(pool.world), kDt);
   }
   /// In the middle, with the supports' forces in the middles of the supports [Pa].
   double tension() const {
@@ -46,7 +46,7 @@ struct Bridge {
   double length, speed;
   double way = 0.0;
   Pool pool;
-  FloeBending bending;
+  floes::FloeBending bending;
   BodyId body;
   std::vector<BodyId> supports;
 };
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_dry_floe_on_two_supports_breaks_in_its_middle_under_its_o
   Bridge bridge(6.0);
   BOOST_TEST(bridge.tension() > 539e3);
   for (int i = 0; i < 200; ++i) bridge.step();
-  const std::vector<Fracture> fractures = bridge.bending.fractures(bridge.pool.floes);
+  const std::vector<floes::Fracture> fractures = bridge.bending.fractures(bridge.pool.floes);
   BOOST_REQUIRE(fractures.size() == 1u);
   BOOST_TEST((fractures[0].body == bridge.body));
   BOOST_TEST(fractures[0].tension == bridge.tension(), tolerance(1e-3));
@@ -71,11 +71,11 @@ BOOST_AUTO_TEST_CASE(a_dry_floe_on_two_supports_breaks_in_its_middle_under_its_o
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_breaks_alike_on_supports_at_rest_and_on_supports_that_carry_it_along) {
-  std::vector<Fracture> breaks;
+  std::vector<floes::Fracture> breaks;
   for (const double speed : {0.0, 10.0}) {  // 0.1 m a step
     Bridge bridge(8.0, 1.0, speed);
     for (int i = 0; i < 200; ++i) bridge.step();
-    const std::vector<Fracture> fractures = bridge.bending.fractures(bridge.pool.floes);
+    const std::vector<floes::Fracture> fractures = bridge.bending.fractures(bridge.pool.floes);
     BOOST_REQUIRE(fractures.size() == 1u);
     breaks.push_back(fractures[0]);
   }
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(means_go_on_after_a_checkpoint_and_end_with_the_floe) {
   for (int i = 0; i < 200; ++i) bridge.step();
   model::Checkpoint checkpoint;
   bridge.bending.save(bridge.pool.floes, checkpoint);
-  FloeBending restored;
+  floes::FloeBending restored;
   restored.restore(bridge.pool.floes, checkpoint);
   BOOST_REQUIRE(restored.fractures(bridge.pool.floes).size() == 1u);
   BOOST_TEST(restored.fractures(bridge.pool.floes)[0].tension ==

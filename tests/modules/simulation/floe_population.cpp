@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "floe_population.hpp"
+#include "brash/floes/floe_population.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,13 +18,13 @@ BOOST_AUTO_TEST_SUITE(floe_population)
 
 BOOST_AUTO_TEST_CASE(a_floe_is_as_thick_and_heavy_as_the_plate_that_it_is) {
   Pool pool;
-  failure::IceProperties thick = ice_properties(pool.resolved);
+  failure::IceProperties thick = edge::ice_properties(pool.resolved);
   thick.thickness = 0.5;
   const auto record =
       pool.floes.add(pool.world, ice::Plate(0, ice::Hold::kAfloat, thick, {{geometry::ring(kSquare), {}}}), 1.5);
   BOOST_REQUIRE(record.has_value());
   BOOST_TEST(record->birth == 1.5);
-  const Floe& floe = pool.floes.floes().begin()->second;
+  const floes::Floe& floe = pool.floes.floes().begin()->second;
   BOOST_TEST(floe.prism.thickness == 0.5);
   BOOST_TEST(floe.weight == 900.0 * 0.5 * kGravity, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(record->birth_pose.position.z == 0.5 * (0.5 - 900.0 / 1025.0), boost::test_tools::tolerance(1e-12));
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_plate_too_thin_for_a_body_is_left_as_it_is) {
   BOOST_TEST((plate.area() == area));
   BOOST_TEST(pool.floes.next_id() == 0);
   BOOST_TEST(pool.floes.floes().empty());
-  failure::IceProperties thin = ice_properties(pool.resolved);
+  failure::IceProperties thin = edge::ice_properties(pool.resolved);
   for (const double thickness : {0.5, 1.0, 2.0}) {
     thin.thickness = thickness * pool.resolved.contact.margin;
     ice::Plate film(0, ice::Hold::kAfloat, thin, {{geometry::ring(kSquare), {}}});
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(pieces_of_a_floe_move_on_as_it_did) {
   const Pose pose = pool.world.pose(body);
   const Twist twist = pool.world.twist(body);
 
-  const Floe parent = pool.floes.remove(pool.world, body);
+  const floes::Floe parent = pool.floes.remove(pool.world, body);
   const auto halves = geometry::split(parent.plate.outline().front(), geometry::snap({3.5, 0}), geometry::snap({5, 3}));
   BOOST_REQUIRE(halves.pieces.size() == 2u);
   for (const geometry::Polygon& half : halves.pieces) {

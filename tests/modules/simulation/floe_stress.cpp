@@ -38,8 +38,8 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
   // Half a second is ten collision times (47 ms); of the depth's growth the average sees the last tenth late.
   BOOST_TEST(pool.floes.at(floe).stress.peak_compression == bound * (1.0 - depth / 2.0),
              boost::test_tools::tolerance(2e-3));
-  BOOST_TEST(overstressed(pool.world, pool.floes, 1.0e6).empty());
-  BOOST_TEST(overstressed(pool.world, pool.floes, 0.98 * bound).size() == 1u);
+  BOOST_TEST(floes::overstressed(pool.world, pool.floes, 1.0e6).empty());
+  BOOST_TEST(floes::overstressed(pool.world, pool.floes, 0.98 * bound).size() == 1u);
 }
 
 /// Mean compression [Pa] of a floe of 2 m by 1 m that a load of 10 kN presses against a wall, both in uniform motion.
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_stress_of_a_floe_is_of_a_step_or_of_a_contact_or_averag
   Pressed step("step"), contact("contact"), averaged("averaged");
   BOOST_TEST(step.step_under(1e4) == mean, close);
   BOOST_TEST(contact.step_under(1e4) == at_contact, close);
-  const double share = averaging_share(averaged.floes.at(averaged.floe), 0.01);
+  const double share = floes::averaging_share(averaged.floes.at(averaged.floe), 0.01);
   BOOST_TEST(averaged.step_under(1e4) == share * mean, close);
   // The step after has no load, and the largest compression stays on record.
   BOOST_TEST(step.step_under(0.0) < 0.01 * mean);

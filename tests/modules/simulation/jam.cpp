@@ -9,8 +9,8 @@
 namespace {
 
 using namespace brash;
+using floes::FloePopulation;
 using rigid_body::World;
-using simulation::FloePopulation;
 
 constexpr int kColumns = BRASH_JAM_COLUMNS;  // along x, the moving wall's way
 constexpr int kRows = BRASH_JAM_ROWS;
@@ -77,8 +77,8 @@ struct Basin {
   double width = kRows * kPitch;
   model::Case ice;
   World world;
-  FloePopulation floes;
-  simulation::FloeWater water;
+  floes::FloePopulation floes;
+  floes::FloeWater water;
   BodyId wall;
 };
 

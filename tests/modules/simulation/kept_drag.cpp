@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drag that is kept for a way, docs/theory/water.md, (H13) and (H14), against drag of every step; decision 5.
-#include "kept_drag.hpp"
+#include "brash/floes/kept_drag.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -33,8 +33,8 @@ PackDrag drag_of_closing_pack(double speed, const char* travel) {
   const model::Case ice = ice_and_water({std::string("hydrodynamics.drag_travel=") + travel});
   const double dt = 0.01, way = ice.hydrodynamics.drag_travel * ice.ice.thickness;
   rigid_body::World world({});
-  simulation::FloePopulation floes(ice);
-  simulation::FloeWater water_on_floes(ice);
+  floes::FloePopulation floes(ice);
+  floes::FloeWater water_on_floes(ice);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) {
       const Vec2 low{1.7 * i, 1.7 * j};
@@ -52,7 +52,7 @@ PackDrag drag_of_closing_pack(double speed, const char* travel) {
   for (int step = 0; step < 150; ++step) {
     water_on_floes.apply(world, floes, dt, {});
     world.visit_neighbours(world.moving(), water_on_floes.reach(), [&](BodyId body, std::span<const Solid> neighbours) {
-      const simulation::Floe& floe = floes.floes().at(body);
+      const floes::Floe& floe = floes.floes().at(body);
       const Twist twist = world.twist(body);
       const hydrodynamics::StepInertia inertia{
           .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(drag_is_kept_for_a_way_on_which_a_turn_of_the_motion_counts
   const rigid_body::MassProperties mass{.mass = 4.0, .inertia = {1.0, 2.0, 9.0}};
   const double dt = 0.25;
   const auto way = [&](const Twist& taken_at, const Twist& now) {  // (H14) of a step
-    simulation::KeptDrag kept{{}, taken_at, 100.0};
+    floes::KeptDrag kept{{}, taken_at, 100.0};
     BOOST_REQUIRE(kept.follow(mass, now, dt).has_value());
     return 100.0 - kept.left;
   };
@@ -118,12 +118,12 @@ BOOST_AUTO_TEST_CASE(drag_is_kept_for_a_way_on_which_a_turn_of_the_motion_counts
   BOOST_TEST(way(surge, {}) == 0.0);
   BOOST_TEST(way({}, {}) == 0.0);
 
-  simulation::KeptDrag kept{{}, surge, 1.2};
+  floes::KeptDrag kept{{}, surge, 1.2};
   BOOST_TEST(kept.follow(mass, surge, dt).has_value());
   BOOST_TEST(kept.follow(mass, surge, dt).has_value());
   BOOST_TEST(!kept.follow(mass, surge, dt).has_value());
-  BOOST_TEST(!simulation::KeptDrag{}.follow(mass, {}, dt).has_value());  // there is none yet
-  simulation::KeptDrag at_rest{{}, {}, 1.2};
+  BOOST_TEST(!floes::KeptDrag{}.follow(mass, {}, dt).has_value());  // there is none yet
+  floes::KeptDrag at_rest{{}, {}, 1.2};
   BOOST_TEST(!at_rest.follow(mass, slow, dt).has_value());
 }
 

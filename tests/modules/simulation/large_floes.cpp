@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(plates_of_a_field_begin_with_the_current) {
   more.insert(more.end(), {"wind.velocity=[0, 0]", "water.current=[0.1, -0.05]"});
   simulation::Simulation simulation(field_case(file, more));
   double kinetic = 0.0;
-  for (const simulation::SheetMotion& sheet : simulation.sheet_motions()) {
+  for (const model::SheetMotion& sheet : simulation.sheet_motions()) {
     BOOST_TEST((sheet.velocity == Vec2{0.1, -0.05}));
     kinetic += 0.5 * sheet.mass * dot(sheet.velocity, sheet.velocity);
   }
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(wind_jams_a_row_of_plates_against_a_wall_and_they_come_to_r
     lost = report.loads.losses.sheet_contact;
     error = report.loads.energy_error;
   }
-  const std::vector<simulation::SheetMotion> row = whole.sheet_motions();
+  const std::vector<model::SheetMotion> row = whole.sheet_motions();
   BOOST_REQUIRE(row.size() == 3u);
   // Closed gaps: the wall at 90 m, plates of 30, 30 and 25 m. A first touch is found within a step, and the blow of
   // some centimetres a second crushes millimetres.
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(wind_jams_a_row_of_plates_against_a_wall_and_they_come_to_r
     BOOST_TEST(gap < 1e-3);
     BOOST_TEST(gap > -0.02);
   }
-  for (const simulation::SheetMotion& sheet : row) BOOST_TEST(norm(sheet.velocity) < 1e-4);
+  for (const model::SheetMotion& sheet : row) BOOST_TEST(norm(sheet.velocity) < 1e-4);
   BOOST_TEST(lost > 0.0);
   BOOST_TEST(std::abs(error) < 1e-6 * lost);
 }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "brash/core/constants.hpp"
+#include "brash/floes/plan.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
-#include "plan.hpp"
 #include "region_loads.hpp"
 
 namespace {

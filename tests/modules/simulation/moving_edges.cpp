@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The life of an edge that gives way, with responses in closed form.
-#include "moving_edges.hpp"
+#include "brash/edge/moving_edges.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace {
 
 using namespace brash;
-using simulation::EdgeContact;
-using simulation::MovingEdges;
+using edge::EdgeContact;
+using edge::MovingEdges;
 
 const failure::IceProperties kIce{
     .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
@@ -36,13 +36,14 @@ plate::EdgeResponses damped(const plate::EdgeGeometry&) {
   return r;
 }
 
-MovingEdges edges() {
-  return MovingEdges({failure::EdgeDynamics([](const plate::EdgeGeometry& g) { return damped(g); }, kIce, 900.0)});
+edge::MovingEdges edges() {
+  return edge::MovingEdges(
+      {failure::EdgeDynamics([](const plate::EdgeGeometry& g) { return damped(g); }, kIce, 900.0)});
 }
 
 /// A contact at (0, y) that pushes the edge down with `force`.
-EdgeContact contact(double y, double force) {
-  EdgeContact result;
+edge::EdgeContact contact(double y, double force) {
+  edge::EdgeContact result;
   result.touched = {{0.0, y}, 1.0};
   result.load = {.contact_length = 1.0, .mu1 = 0.5, .pressure = force > 0.0 ? 1e5 : 0.0};
   result.on_ice = {0.0, 0.0, -force};
@@ -51,7 +52,7 @@ EdgeContact contact(double y, double force) {
 }
 
 /// Loads the edges, where the structure does more work than bends them. @return the work that bent them [J].
-double follow(MovingEdges& moving, std::vector<EdgeContact> contacts, double from, double to) {
+double follow(edge::MovingEdges& moving, std::vector<edge::EdgeContact> contacts, double from, double to) {
   const std::vector<double> work(contacts.size(), 1e9);
   return moving.follow(contacts, work, from, to);
 }
@@ -61,7 +62,7 @@ double static_deflection(double force) {
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_under_an_even_force_goes_down_to_its_static_place) {
-  MovingEdges moving = edges();
+  edge::MovingEdges moving = edges();
   BOOST_TEST(moving.shift(0, {{0.0, 0.0}, 1.0}, 0.0) == 0.0);
   double work = 0.0, before = 0.0;
   for (int i = 0; i < 1000; ++i) {
@@ -77,13 +78,13 @@ BOOST_AUTO_TEST_CASE(an_edge_under_an_even_force_goes_down_to_its_static_place) 
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_keeps_its_edge_and_another_one_has_its_own) {
-  MovingEdges moving = edges();
+  edge::MovingEdges moving = edges();
   for (int i = 0; i < 50; ++i) follow(moving, {contact(0.0, 1e4), contact(3.0, 2e4)}, 0.01 * i, 0.01 * (i + 1));
   const double one = moving.shift(0, {{0.0, 0.1}, 1.0}, 0.5), other = moving.shift(0, {{0.0, 2.8}, 1.0}, 0.5);
   BOOST_TEST(other == 2.0 * one, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(moving.shift(0, {{0.0, 1.5}, 1.0}, 0.5) == 0.0);  // beside both chords
   BOOST_TEST(moving.shift(1, {{0.0, 0.0}, 1.0}, 0.5) == 0.0);  // of other ice
-  MovingEdges broken = moving;
+  edge::MovingEdges broken = moving;
   broken.forget(contact(3.0, 2e4));
   BOOST_TEST(broken.shift(0, {{0.0, 3.0}, 1.0}, 0.5) == 0.0);
   BOOST_TEST(broken.shift(0, {{0.0, 0.0}, 1.0}, 0.5) != 0.0);
@@ -95,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_contact_keeps_its_edge_and_another_one_has_its_own) {
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_that_the_contact_misses_for_a_while_springs_back) {
-  MovingEdges moving = edges();
+  edge::MovingEdges moving = edges();
   for (int i = 0; i < 100; ++i) follow(moving, {contact(0.0, 1e4)}, 0.01 * i, 0.01 * (i + 1));
   const double down = moving.shift(0, {{0.0, 0.0}, 1.0}, 1.0);
   double work = 0.0;
@@ -109,10 +110,10 @@ BOOST_AUTO_TEST_CASE(an_edge_that_the_contact_misses_for_a_while_springs_back) {
 BOOST_AUTO_TEST_CASE(an_edge_takes_no_more_work_than_the_structure_does) {
   for (const double step : {0.01, 0.05, 0.2}) {
     for (const double speed : {0.001, 0.01, 0.1, 1.0}) {  // of the surface, downwards
-      MovingEdges moving = edges();
+      edge::MovingEdges moving = edges();
       double given = 0.0, bent = 0.0;
       for (int i = 0; i < 60; ++i) {
-        std::vector<EdgeContact> contacts{contact(0.0, i % 3 == 2 ? 0.0 : 1e4 * (1 + i % 4))};
+        std::vector<edge::EdgeContact> contacts{contact(0.0, i % 3 == 2 ? 0.0 : 1e4 * (1 + i % 4))};
         const std::vector<double> work{std::abs(contacts[0].on_ice.z) * speed * step};
         const Vec3 whole = contacts[0].on_ice;
         bent += moving.follow(contacts, work, step * i, step * (i + 1));
@@ -127,16 +128,16 @@ BOOST_AUTO_TEST_CASE(an_edge_takes_no_more_work_than_the_structure_does) {
 }
 
 BOOST_AUTO_TEST_CASE(an_upward_push_lifts_the_edge) {
-  MovingEdges moving = edges();
-  EdgeContact up = contact(0.0, 1e4);
+  edge::MovingEdges moving = edges();
+  edge::EdgeContact up = contact(0.0, 1e4);
   up.on_ice.z = 1e4;
   for (int i = 0; i < 50; ++i) follow(moving, {up}, 0.01 * i, 0.01 * (i + 1));
   BOOST_TEST(moving.shift(0, up.touched, 0.5) > 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_checkpoint_restores_every_edge_and_its_memory) {
-  MovingEdges moving = edges(), again = edges();
-  const auto step = [](MovingEdges& m, int i) {
+  edge::MovingEdges moving = edges(), again = edges();
+  const auto step = [](edge::MovingEdges& m, int i) {
     return follow(m, {contact(0.0, 1e4 * std::sin(0.1 * i) + 1e4), contact(3.0, 2e3 * i)}, 0.01 * i, 0.01 * (i + 1));
   };
   for (int i = 0; i < 900; ++i) step(moving, i);
@@ -148,7 +149,7 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_restores_every_edge_and_its_memory) {
 }
 
 BOOST_AUTO_TEST_CASE(edges_that_do_not_move_cost_nothing) {
-  MovingEdges rigid({});
+  edge::MovingEdges rigid({});
   BOOST_TEST(follow(rigid, {contact(0.0, 1e4)}, 0.0, 0.01) == 0.0);
   BOOST_TEST(rigid.shift(0, {{0.0, 0.0}, 1.0}, 0.01) == 0.0);
   BOOST_TEST(rigid.motion(contact(0.0, 1e4)).whole.stress == 1.0);

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "afloat.hpp"
+#include "brash/floes/floe_water.hpp"
+#include "brash/floes/sleep.hpp"
 #include "brash/io/case.hpp"
 #include "energy_ledger.hpp"
-#include "floe_water.hpp"
-#include "sleep.hpp"
 #include "state.hpp"
 
 namespace brash::simulation::testing {
@@ -47,7 +47,7 @@ struct Pool {
 
   /// The contacts of the last step, of `dt`, go into the stress of the floes.
   void take_stress(double dt) {
-    update_stress(world, contacts_by_place(world), StressLaw(resolved.contact), dt, floes);
+    floes::update_stress(world, floes::contacts_by_place(world), floes::StressLaw(resolved.contact), dt, floes);
   }
 
   void remove(BodyId floe) {
@@ -57,9 +57,9 @@ struct Pool {
 
   model::Case resolved;
   rigid_body::World world;
-  FloePopulation floes;
-  FloeWater water;
-  Sleep sleep;
+  floes::FloePopulation floes;
+  floes::FloeWater water;
+  floes::Sleep sleep;
   EnergyLedger ledger;
 };
 

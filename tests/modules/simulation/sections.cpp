@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sections.hpp"
+#include "brash/floes/sections.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -12,7 +12,7 @@
 namespace {
 
 using namespace brash;
-using namespace brash::simulation;
+using namespace brash::floes;
 using boost::test_tools::tolerance;
 
 const double kRound = 1e-12;  // closed forms to rounding

@@ -9,13 +9,13 @@
 #include <set>
 
 #include "brash/core/error.hpp"
+#include "brash/edge/edge_contact.hpp"
 #include "brash/ice/variation.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/setup.hpp"
-#include "edge_contact.hpp"
 
 namespace {
 
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(ice_that_varies_breaks_where_it_is_thin_or_weak_and_its_run
     BOOST_TEST(event.sigma_max > event.flexural_strength);
     if (event.pressing_floe != model::kNoFloe) continue;
     // The middle of the chord lies at the tip, to the shift of a moving edge.
-    const failure::IceProperties there = variation.at(simulation::ice_properties(resolved), event.tip);
+    const failure::IceProperties there = variation.at(edge::ice_properties(resolved), event.tip);
     BOOST_TEST(event.thickness == there.thickness, boost::test_tools::tolerance(0.01));
   }
   for (const model::FloeRecord& floe : whole.results.floes) BOOST_TEST(floe.thickness > 0.0);

@@ -16,7 +16,7 @@ constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 const std::vector<std::string> kSleeping{"time.settle_speed=0.05", "time.step=0.01"};
 
 /// What lies before x = `limit` [m].
-Clear before(double limit) { return {.origin = {limit, 0.0}, .course = {1.0, 0.0}}; }
+floes::Clear before(double limit) { return {.origin = {limit, 0.0}, .course = {1.0, 0.0}}; }
 
 /// Steps for `seconds`. @return the kinetic energy that falling asleep took [J].
 double advance(Pool& pool, double seconds, double astern = kEverywhere) {
@@ -31,7 +31,7 @@ double advance(Pool& pool, double seconds, double astern = kEverywhere) {
 /// The level ice that the pool's floes are taken to have broken off from.
 std::vector<ice::Plate> one_level_ice(const model::Case& resolved) {
   std::vector<ice::Plate> plates;
-  plates.emplace_back(0, ice::Hold::kFast, ice_properties(resolved), std::vector<geometry::Polygon>{});
+  plates.emplace_back(0, ice::Hold::kFast, edge::ice_properties(resolved), std::vector<geometry::Polygon>{});
   return plates;
 }
 
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(floes_of_a_field_sleep_from_the_start_all_around_the_struct
   Pool pool(kSleeping);
   const BodyId near = pool.add({6, -1}, {8, 1}, {}), ahead = pool.add({11, -1}, {13, 1}, {});
   const BodyId beside = pool.add({-1, 10.5}, {1, 12.5}, {}), astern = pool.add({-13, -1}, {-11, 1}, {});
-  const Clear clear{.course = {1.0, 0.0}, .distance = 10.0, .all_around = true};
+  const floes::Clear clear{.course = {1.0, 0.0}, .distance = 10.0, .all_around = true};
   pool.sleep.begin(pool.world, pool.floes, clear);
   BOOST_TEST(!pool.world.is_settled(near));
   for (const BodyId far : {ahead, beside, astern}) BOOST_TEST(pool.world.is_settled(far));

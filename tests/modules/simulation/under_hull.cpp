@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "brash/core/constants.hpp"
+#include "brash/floes/coverage.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/regions.hpp"
-#include "coverage.hpp"
 #include "pool.hpp"
 
 namespace {
@@ -35,7 +35,7 @@ struct Barge : Pool {
   model::Case c = io::read_case(BRASH_SOURCE_DIR "/tests/modules/simulation/askew_barge.toml",
                                 std::vector<std::string>{"structure.heading=0"});
   std::unique_ptr<const structure::Hull> hull = structure::make_hull(c.structure);
-  Coverage coverage{*hull, *structure::regions_of(c.structure, *hull), c.ice.thickness};
+  floes::Coverage coverage{*hull, *structure::regions_of(c.structure, *hull), c.ice.thickness};
 
   double covered(model::HullRegion region, Pose at = {}) const {
     return coverage.by(world, floes, at)[static_cast<std::size_t>(region)];

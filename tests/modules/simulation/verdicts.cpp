@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verdicts.hpp"
+#include "brash/edge/verdicts.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,13 +9,13 @@
 namespace {
 
 using namespace brash;
-using simulation::EdgeContact;
-using simulation::Verdicts;
-using Verdict = EdgeContact::Verdict;
+using edge::EdgeContact;
+using edge::Verdicts;
+using Verdict = edge::EdgeContact::Verdict;
 
 /// A contact at (0, y) whose sheet was solved.
-EdgeContact solved(double y, double overload, simulation::Pressing pressing, std::int64_t floe = model::kNoFloe) {
-  EdgeContact result;
+edge::EdgeContact solved(double y, double overload, edge::Pressing pressing, std::int64_t floe = model::kNoFloe) {
+  edge::EdgeContact result;
   result.floe = floe;
   result.touched = {{0.0, y}, 1.0};
   result.pressing = pressing;
@@ -25,20 +25,20 @@ EdgeContact solved(double y, double overload, simulation::Pressing pressing, std
 }
 
 /// The same contact, loaded anew.
-EdgeContact asked(double y, simulation::Pressing pressing, std::int64_t floe = model::kNoFloe) {
-  EdgeContact result = solved(y, 0.0, pressing, floe);
+edge::EdgeContact asked(double y, edge::Pressing pressing, std::int64_t floe = model::kNoFloe) {
+  edge::EdgeContact result = solved(y, 0.0, pressing, floe);
   result.assessment = {};
   return result;
 }
 
-EdgeContact recalled(const Verdicts& verdicts, double now, EdgeContact contact) {
-  std::vector<EdgeContact> contacts{std::move(contact)};
+edge::EdgeContact recalled(const edge::Verdicts& verdicts, double now, edge::EdgeContact contact) {
+  std::vector<edge::EdgeContact> contacts{std::move(contact)};
   verdicts.recall(now, contacts);
   return contacts.front();
 }
 
 BOOST_AUTO_TEST_CASE(the_overload_grows_with_the_loads_of_the_structure) {
-  Verdicts verdicts(0.0);
+  edge::Verdicts verdicts(0.0);
   verdicts.keep(0.0, {solved(0.0, 0.6, {80.0, 20.0}), solved(9.0, 0.9, {100.0, 0.0}), solved(20.0, 1.2, {1.0, 0.0})});
   const auto growth = verdicts.most_overloaded(
       {asked(0.1, {180.0, 0.0}), asked(9.0, {110.0, 0.0}), asked(20.0, {9.0, 0.0}), asked(40.0, {9.0, 0.0})});
@@ -51,13 +51,13 @@ BOOST_AUTO_TEST_CASE(the_overload_grows_with_the_loads_of_the_structure) {
 }
 
 BOOST_AUTO_TEST_CASE(a_verdict_is_kept_while_the_ice_is_far_from_breaking) {
-  Verdicts verdicts(0.2);
+  edge::Verdicts verdicts(0.2);
   verdicts.keep(1.0, {solved(0.0, 0.3, {100.0, 0.0}), solved(9.0, 0.5, {100.0, 0.0}, 7)});
-  const EdgeContact kept = recalled(verdicts, 1.1, asked(0.0, {110.0, 0.0}));
+  const edge::EdgeContact kept = recalled(verdicts, 1.1, asked(0.0, {110.0, 0.0}));
   BOOST_TEST((kept.kept == Verdict::kKept));
   BOOST_TEST(kept.assessment.sigma_max == 0.33e5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(kept.assessment.breaking_length == 3.0);
-  const auto is_solved = [&](double now, const EdgeContact& contact) {
+  const auto is_solved = [&](double now, const edge::EdgeContact& contact) {
     return recalled(verdicts, now, contact).kept == Verdict::kSolved;
   };
   BOOST_TEST(is_solved(1.2, asked(0.0, {100.0, 0.0})));       // T is over
@@ -66,14 +66,14 @@ BOOST_AUTO_TEST_CASE(a_verdict_is_kept_while_the_ice_is_far_from_breaking) {
   BOOST_TEST(is_solved(1.03, asked(9.0, {100.0, 0.0}, 8)));   // another floe
   BOOST_TEST(is_solved(1.1, asked(0.0, {201.0, 0.0})));       // loads have jumped
   BOOST_TEST(is_solved(1.1, asked(0.0, {100.0, 101.0})));     // a floe has come
-  EdgeContact young = asked(0.0, {100.0, 0.0});
+  edge::EdgeContact young = asked(0.0, {100.0, 0.0});
   young.edge_age = 0.3;
   BOOST_TEST(!is_solved(1.14, young));  // 0.3 (1.1 + 0.93) < 1
   BOOST_TEST(is_solved(1.16, young));   // half its age is over
-  EdgeContact longer = asked(0.0, {100.0, 0.0});
+  edge::EdgeContact longer = asked(0.0, {100.0, 0.0});
   longer.touched.length = 1.5;
   BOOST_TEST(is_solved(1.1, longer));
-  BOOST_TEST((recalled(Verdicts(0.0), 1.1, asked(0.0, {100.0, 0.0})).kept == Verdict::kSolved));
+  BOOST_TEST((recalled(edge::Verdicts(0.0), 1.1, asked(0.0, {100.0, 0.0})).kept == Verdict::kSolved));
   verdicts.forget_within(0, {0.0, -3.0}, 1.0, 5.0);  // the ice has broken nearby
   BOOST_TEST(is_solved(1.1, asked(0.0, {100.0, 0.0})));
   BOOST_TEST(verdicts.most_overloaded({asked(0.0, {110.0, 0.0})}).has_value());  // its load still predicts
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_verdict_is_kept_while_the_ice_is_far_from_breaking) {
 
 /// A floe lifts the ice and another presses it down. Together they bend it little, until one of them goes.
 BOOST_AUTO_TEST_CASE(the_ice_is_not_far_from_breaking_where_loads_oppose_each_other) {
-  Verdicts verdicts(0.2);
+  edge::Verdicts verdicts(0.2);
   verdicts.keep(1.0, {solved(0.0, 0.5, {0.0, 60.0, 36.0, 24.0}, 7)});  // 12 are left
   const auto is_kept = [&](double up, double down) {
     return recalled(verdicts, 1.02, asked(0.0, {0.0, up + down, up, down}, 7)).kept == Verdict::kKept;
@@ -93,13 +93,13 @@ BOOST_AUTO_TEST_CASE(the_ice_is_not_far_from_breaking_where_loads_oppose_each_ot
 }
 
 BOOST_AUTO_TEST_CASE(a_control_counts_a_failure_that_came_late) {
-  Verdicts verdicts(0.2);
+  edge::Verdicts verdicts(0.2);
   const std::int64_t floe = 16;  // 0 + 16 + 1 is a multiple of 17
   verdicts.keep(0.0, {solved(0.0, 0.3, {100.0, 0.0}, floe)});
-  EdgeContact control = recalled(verdicts, 0.05, asked(0.0, {100.0, 0.0}, floe));
+  edge::EdgeContact control = recalled(verdicts, 0.05, asked(0.0, {100.0, 0.0}, floe));
   BOOST_REQUIRE((control.kept == Verdict::kControl));
   control.control.fails = true;
-  simulation::KeptCounts counts = verdicts.keep(0.05, {control});
+  model::KeptCounts counts = verdicts.keep(0.05, {control});
   BOOST_TEST(counts.kept == 1);
   BOOST_TEST(counts.controls == 1);
   BOOST_TEST(counts.late == 0);
@@ -109,13 +109,13 @@ BOOST_AUTO_TEST_CASE(a_control_counts_a_failure_that_came_late) {
 }
 
 BOOST_AUTO_TEST_CASE(verdicts_go_into_a_checkpoint) {
-  Verdicts verdicts(0.2), restored(0.2);
+  edge::Verdicts verdicts(0.2), restored(0.2);
   verdicts.keep(1.0, {solved(0.0, 0.3, {100.0, 0.0}), solved(5.0, 0.4, {50.0, 5.0}, 16)});
   verdicts.forget_within(0, {0.0, 5.0}, 0.1, 0.1);
   model::Checkpoint checkpoint;
   verdicts.save(checkpoint);
   restored.restore(checkpoint);
-  const EdgeContact kept = recalled(restored, 1.05, asked(0.0, {90.0, 0.0}));
+  const edge::EdgeContact kept = recalled(restored, 1.05, asked(0.0, {90.0, 0.0}));
   BOOST_TEST((kept.kept == Verdict::kKept));
   BOOST_TEST(kept.assessment.sigma_max == 0.27e5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST((recalled(restored, 1.05, asked(5.0, {50.0, 5.0}, 16)).kept == Verdict::kSolved));

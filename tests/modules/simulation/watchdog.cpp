@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(the_error_that_a_floe_has_left_passes_after_the_floe_has_go
   for (int i = 0; i < 2; ++i) {
     const BodyId body = pool.bodies.back();
     pool.bodies.pop_back();
-    const Floe& floe = pool.floes.at(body);
+    const floes::Floe& floe = pool.floes.at(body);
     pool.area.floes -= floe.area;
     pool.area.deleted += floe.area;
     pool.watchdog.remove(body, floe.weight);

@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_plate_that_falls_flat_into_the_water_keeps_its_momentum) 
   floe.step(1e-5);
   floe.step(1e-5);
   BOOST_TEST(floe.world.twist(floe.body).linear.z == -3.0 * ice / (ice + water), tt::tolerance(2e-3));  // K: 1e-3
-  const Floe& state = floe.floes.floes().at(floe.body);
+  const floes::Floe& state = floe.floes.floes().at(floe.body);
   BOOST_TEST(state.shed == 0.5 * ice * 9.0 * water / (ice + water), tt::tolerance(2e-3));
 }
 
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_plate_pressed_under_is_held_up_by_the_air_on_its_top) {
   const double depth = 0.2, dt = 1e-3;
   floe.place(-floe.rest - 0.5 * 0.33 - depth, 0.0);
   floe.step(dt);
-  const Floe& state = floe.floes.floes().at(floe.body);
+  const floes::Floe& state = floe.floes.floes().at(floe.body);
   const double flooded = 2.0 * std::sqrt(kGravity * depth) * dt / 1.0;
   BOOST_TEST(state.pressure.force.z == (1.0 - flooded) * 1025.0 * kGravity * 6.0 * depth, tt::tolerance(1e-9));
   // Held there until the front has run 1 m, it has buoyancy alone.
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(accelerated_water_pushes_a_tilted_floe_at_the_centre_of_the
   const Pose pose = floe.world.pose(floe.body);
   const structure::State cone{{{-9.0, 1.0, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
   floe.water.apply(floe.world, floe.floes, 0.01, cone);
-  const Floe& state = floe.floes.floes().at(floe.body);
+  const floes::Floe& state = floe.floes.floes().at(floe.body);
   const auto wet = hydrodynamics::displacement(state.prism, pose);
   const hydrodynamics::StructureFlow flow(
       structure::fitted_ellipsoid(*structure::make_hull(floe.ice.structure.shape)).semi_axes);

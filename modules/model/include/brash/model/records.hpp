@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -293,6 +294,15 @@ struct RunResults {
   friend bool operator==(const RunResults&, const RunResults&) = default;
 };
 
+/// How a sheet with free borders moves in the plane.
+struct SheetMotion {
+  double mass = 0.0;     ///< [kg]
+  Vec2 centre{};         ///< place of its centre of mass [m]
+  double heading = 0.0;  ///< it has turned by [rad]
+  Vec2 velocity{};       ///< of the centre [m/s]
+  double spin = 0.0;     ///< [rad/s]
+};
+
 /// How verdicts on solved sheets were found, and why some were not: `plate-outline`.
 struct SheetSolves {
   int coarse = 0;            ///< solutions with quadratic elements, to screen
@@ -323,6 +333,30 @@ struct SheetSolves {
     split_unsolved += other.split_unsolved;
     holding_together += other.holding_together;
     return *this;
+  }
+};
+
+/// Verdicts that were kept from an earlier solution: docs/theory/simulation.md, (S6).
+struct KeptCounts {
+  int kept = 0;         ///< verdicts
+  int controls = 0;     ///< kept verdicts, solved all the same, to count misses
+  int late = 0;         ///< controls that had failed before their contact was solved
+  double latest = 0.0;  ///< the longest time that a late control had [s]
+
+  KeptCounts& operator+=(const KeptCounts& other) {
+    kept += other.kept;
+    controls += other.controls;
+    late += other.late;
+    latest = std::max(latest, other.latest);
+    return *this;
+  }
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("kept", "1", "verdicts kept from an earlier solution", self.kept);
+    visit("controls", "1", "kept verdicts that were solved all the same", self.controls);
+    visit("late", "1", "failures among the controls that came late", self.late);
+    visit("latest", "s", "the longest time by which one did", self.latest);
   }
 };
 

@@ -97,7 +97,7 @@ struct RunSummary {
   int n_breaks = 0;
   BreakCounts breaks;
   model::SheetSolves sheets;
-  KeptCounts verdicts;
+  model::KeptCounts verdicts;
   double breaking_frequency = 0.0;  ///< breaks per second in the window [Hz]
   int n_floes_born = 0;
   int n_floes_present = 0;

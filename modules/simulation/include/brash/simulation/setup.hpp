@@ -24,9 +24,6 @@ struct DerivedScales {
   double collision_time = 0.0;         ///< T_col of a piece of l_c^2 / 4, Eqs. 11, 12 [s]
 };
 
-/// T_col = (pi/2) sqrt((1 + alpha) m / K) of a floe of `mass` [kg], Eqs. 11, 12 [s].
-double collision_time(const model::Case& resolved, double mass);
-
 /// The structure as the field sees it, where nothing resists it.
 struct Course {
   double speed = 0.0;   ///< mean over the run [m/s]

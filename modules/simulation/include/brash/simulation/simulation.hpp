@@ -45,24 +45,6 @@ struct BreakCounts {
   }
 };
 
-/// Verdicts that were kept from an earlier solution: docs/theory/simulation.md, (S6).
-struct KeptCounts {
-  int kept = 0;         ///< verdicts
-  int controls = 0;     ///< kept verdicts, solved all the same, to count misses
-  int late = 0;         ///< controls that had failed before their contact was solved
-  double latest = 0.0;  ///< the longest time that a late control had [s]
-
-  KeptCounts& operator+=(const KeptCounts& other);
-
-  template <typename Self, typename Visit>
-  static void visit(Self& self, Visit&& visit) {
-    visit("kept", "1", "verdicts kept from an earlier solution", self.kept);
-    visit("controls", "1", "kept verdicts that were solved all the same", self.controls);
-    visit("late", "1", "failures among the controls that came late", self.late);
-    visit("latest", "s", "the longest time by which one did", self.latest);
-  }
-};
-
 /// Where the wall time went, by stage [s]; no part of it is counted twice.
 struct StageTimes {
   double contacts = 0.0;   ///< where structure and floes meet the edge, and the wedges fitted there
@@ -98,21 +80,12 @@ struct StepReport {
   int n_substeps = 1;  ///< parts the structure's move was cut into (Sec. 2.2.2)
   BreakCounts breaks;
   model::SheetSolves sheets;  ///< of all verdicts
-  KeptCounts verdicts;
+  model::KeptCounts verdicts;
   int n_below_range = 0;     ///< assessments with an input clamped up to the failure model's range
   int n_above_range = 0;     ///< assessments that stayed above the range at the shortest substep
   int n_steps_too_long = 0;  ///< births with T_col (Eqs. 11, 12) below the time step
   double last_change = 0.0;  ///< rigid_body::World::last_change() [m/s]
   StageTimes times;
-};
-
-/// How a sheet with free borders moves in the plane.
-struct SheetMotion {
-  double mass = 0.0;     ///< [kg]
-  Vec2 centre{};         ///< place of its centre of mass [m]
-  double heading = 0.0;  ///< it has turned by [rad]
-  Vec2 velocity{};       ///< of the centre [m/s]
-  double spin = 0.0;     ///< [rad/s]
 };
 
 /// One structure driving into one ice sheet: the paper's algorithm.
@@ -154,7 +127,7 @@ class Simulation {
   const std::vector<model::FloeRecord>& initial_births() const;
   std::vector<geometry::Polygon> sheet() const;
   /// The sheets with free borders, those that are no more with no mass; none where borders are fixed.
-  std::vector<SheetMotion> sheet_motions() const;
+  std::vector<model::SheetMotion> sheet_motions() const;
   const geometry::Ledger& ledger() const;
   /// Poses of structure and floes, now.
   model::Frame frame() const;
