@@ -8,6 +8,9 @@ DIR has the results of depths.toml. A row for each run and each window of ice th
   sail [m]    height over the water of the highest corner of a floe, the median of the window's frames
 The first 0.1 m (2 s) are in no window: a whole edge meets a whole wall at once there, which exists in no tank.
 
+With --test a row for each depth instead: growth of the load from the second to the last window in percent of the second, its
+95 % interval over the seeds, and p of Student's paired test, two-sided, also adjusted for the depths by Holm's method.
+
 The picture shows the last frame of each depth's first run from the side.
 """
 import argparse
@@ -64,6 +67,23 @@ def rows(folder):
                    "bed": round(on_bed / (load + on_bed), 3), "sail": round(sail, 3)}
 
 
+def growth(found):
+    """A row for each depth, from the rows of all runs."""
+    from scipy import stats
+
+    tests = []
+    for depth in dict.fromkeys(row["run"].rsplit("-r", 1)[0] for row in found):
+        first, last = (np.array([row["load"] for row in found if row["run"].rsplit("-r", 1)[0] == depth and row["from"] == window[0]])
+                       for window in (WINDOWS[1], WINDOWS[-1]))
+        test = stats.ttest_rel(last, first)
+        tests.append([depth, first.mean(), last.mean(), *(100 * v / first.mean() for v in (
+            (last - first).mean(), *test.confidence_interval())), test.pvalue])
+    p = np.array([test[-1] for test in tests])
+    order = np.argsort(p)
+    holm = np.minimum(np.maximum.accumulate(p[order] * np.arange(len(p), 0, -1)), 1.0)[np.argsort(order)]
+    return [[depth, *(f"{v:.1f}" for v in numbers), f"{q:.3g}", f"{h:.3g}"] for (depth, *numbers, q), h in zip(tests, holm)]
+
+
 def picture(folders, file):
     import matplotlib
     matplotlib.use("Agg")
@@ -97,13 +117,19 @@ def picture(folders, file):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", type=Path)
+    parser.add_argument("--test", action="store_true")
     parser.add_argument("--picture", type=Path, metavar="FILE")
     options = parser.parse_args()
     folders = sorted(folder for folder in options.results.glob("cases/*") if (folder / "manifest.json").exists())
-    table = csv.DictWriter(sys.stdout, ["run", "from", "to", "load", "bed", "sail"], lineterminator="\n")
-    table.writeheader()
-    for folder in folders:
-        table.writerows(rows(folder))
+    found = [row for folder in folders for row in rows(folder)]
+    if options.test:
+        table = csv.writer(sys.stdout, lineterminator="\n")
+        table.writerow(["depth", "load_first", "load_last", "growth", "lower", "upper", "p", "p_holm"])
+        table.writerows(growth(found))
+    else:
+        table = csv.DictWriter(sys.stdout, ["run", "from", "to", "load", "bed", "sail"], lineterminator="\n")
+        table.writeheader()
+        table.writerows(found)
     if options.picture:
         picture([folder for folder in folders if folder.name.endswith("-r0000")], options.picture)
 
