@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the load on the strip's wall grows with the ice that has come: growth.py DIR [--picture FILE]
 
-DIR has the results of depths.toml. A row for each run and each window of ice that has come since the first contact [m]:
+DIR has the results of depths.toml, or of one run. A row for each run and each window of ice that has come since the first contact [m]:
   load [N/m]  mean Fx over the width of the wall
   bed         share that the bed carries: the mean of bed_Fx over that of Fx + bed_Fx
   sail [m]    height over the water of the highest corner of a floe, the median of the window's frames
@@ -24,7 +24,6 @@ import netCDF4
 import numpy as np
 
 WINDOWS = [(0.1, 0.5), (0.5, 1.0), (1.0, 2.0), (2.0, 3.0)]  # m of ice
-WIDTH = 0.998  # m
 
 
 class Frames:
@@ -54,16 +53,19 @@ class Frames:
 
 def rows(folder):
     with netCDF4.Dataset(folder / "run.nc") as run:
+        width = tomllib.loads(run.case)["structure"]["waterline_width"]
         force, time, x = (np.asarray(run[name][:]) for name in ("Fx", "time", "structure_x"))
         bed = np.asarray(run["bed_Fx"][:]) if "bed_Fx" in run.variables else np.zeros_like(force)
         come = x - x[np.flatnonzero(force)[0]]
         frames = Frames(run)
         shown = np.interp(frames.times, time, come)
         for first, last in WINDOWS:
+            if come[-1] < last - 0.05:
+                break
             inside = (come >= first) & (come < last)
             load, on_bed = force[inside].mean(), bed[inside].mean()
             sail = np.median([frames.sail(n) for n in np.flatnonzero((shown >= first) & (shown < last))])
-            yield {"run": folder.name, "from": first, "to": last, "load": round(load / WIDTH, 1),
+            yield {"run": folder.name, "from": first, "to": last, "load": round(load / width, 1),
                    "bed": round(on_bed / (load + on_bed), 3), "sail": round(sail, 3)}
 
 
@@ -120,7 +122,7 @@ def main():
     parser.add_argument("--test", action="store_true")
     parser.add_argument("--picture", type=Path, metavar="FILE")
     options = parser.parse_args()
-    folders = sorted(folder for folder in options.results.glob("cases/*") if (folder / "manifest.json").exists())
+    folders = sorted(folder for folder in options.results.glob("cases/*") if (folder / "manifest.json").exists()) or [options.results]
     found = [row for folder in folders for row in rows(folder)]
     if options.test:
         table = csv.writer(sys.stdout, lineterminator="\n")
