@@ -37,7 +37,7 @@ def rows(name, folder):
 
 
 def carpet(folder):
-    """Speeds [m/s] of the floes whose middle stays within a thickness of the keel, amidships, from frame to frame."""
+    """Speeds [m/s] of the floes whose middle stays less than 1.5 thicknesses below the keel, amidships, from frame to frame."""
     with netCDF4.Dataset(Path(folder, "run.nc")) as run:
         case, times, ship = tomllib.loads(run.case), run["frame_time"][:], run["frame_structure_x"][:]
         draught, across, along = case["hull"]["draught"], 0.45 * case["hull"]["breadth"], case["hull"]["midbody"] / 2
