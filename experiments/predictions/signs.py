@@ -103,6 +103,14 @@ def rises_beyond(rows, claim):
     return {point: None if None in pair else pair[0] - claim["times"] * pair[1] for point, pair in rises.items()}
 
 
+def share_interval(k, n, confidence=0.95):
+    """Clopper and Pearson's interval of a share of k in n."""
+    tail = 0.5 * (1.0 - confidence)
+    low = 0.0 if k == 0 else stats.beta.ppf(tail, k, n - k + 1)
+    high = 1.0 if k == n else stats.beta.ppf(1.0 - tail, k + 1, n - k)
+    return float(low), float(high)
+
+
 def share_outcome(rows, claim):
     """Exact binomial test over the runs."""
     flags = [row.get(claim["statistic"]) for row in rows if "arms" not in claim or row["arm"] in claim["arms"]]
@@ -110,7 +118,6 @@ def share_outcome(rows, claim):
     k, n = int(sum(known)), len(known)
     if n == 0:
         return Outcome(claim, 1.0, 1.0, math.nan, (math.nan, math.nan), 0, len(flags))
-    from verdicts import share_interval
     return Outcome(claim, float(stats.binom.sf(k - 1, n, claim["above"])), float(stats.binom.cdf(k, n, claim["above"])),
                    k / n, share_interval(k, n), n, len(flags) - n)
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 from scipy import stats
 
-from signs import ALPHA, holm
+from signs import ALPHA, holm, share_interval
 
 
 def has_number(row, statistic):
@@ -51,14 +51,6 @@ def validation(values, measured, u_numerical, u_measured):
     u_val = math.sqrt((u_numerical * simulated) ** 2 + u_input**2 + (u_measured * measured) ** 2)
     return {"simulated": simulated, "measured": measured, "ratio": simulated / measured, "error": error, "u_input": u_input,
             "u_val": u_val, "model_error": (error - 2.0 * u_val, error + 2.0 * u_val), "told": abs(error) > 2.0 * u_val}
-
-
-def share_interval(k, n, confidence=0.95):
-    """Clopper and Pearson's interval of a share of k in n."""
-    tail = 0.5 * (1.0 - confidence)
-    low = 0.0 if k == 0 else stats.beta.ppf(tail, k, n - k + 1)
-    high = 1.0 if k == n else stats.beta.ppf(1.0 - tail, k + 1, n - k)
-    return float(low), float(high)
 
 
 def series(simulated, measured, inside):
