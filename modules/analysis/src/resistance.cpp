@@ -270,28 +270,32 @@ std::vector<std::span<const Point>> by_thickness(const std::vector<Point>& point
 /// Resistances over the speed, each at one thickness.
 using Curves = std::vector<std::pair<double, Curve>>;
 
-/// The attained speed over the thickness: between two thicknesses the resistance at a speed goes by a straight line. It
-/// has no places where no speed of both is attained.
-ordered_json attained_line(const Curves& curves, const NetThrust& thrust) {
+/// The attained speed over the thickness: between two thicknesses the resistance at a speed goes by a straight line.
+/// A line ends where no speed of both is attained.
+ordered_json attained_lines(const Curves& curves, const NetThrust& thrust) {
   constexpr int kParts = 50;
-  ordered_json thicknesses = ordered_json::array(), speeds = ordered_json::array();
+  ordered_json lines = ordered_json::array();
+  bool goes_on = false;
   for (std::size_t i = 1; i < curves.size(); ++i) {
-    const auto& [thin, of_thin] = curves[i - 1];
-    const auto& [thick, of_thick] = curves[i];
+    const Curve &of_thin = curves[i - 1].second, &of_thick = curves[i].second;
     const double first = std::max(of_thin.at.front(), of_thick.at.front());
     const double last = std::min(of_thin.at.back(), of_thick.at.back());
-    for (int part = i == 1 ? 0 : 1; part <= kParts && first < last; ++part) {
+    goes_on = goes_on && first < last;
+    for (int part = goes_on ? 1 : 0; part <= kParts && first < last; ++part) {
       const double share = static_cast<double>(part) / kParts;
       const Crossing found = last_crossing(first, last, [&](double v) {
         return thrust.at(v).value_or(NAN) -
                std::lerp(of_thin.value(of_thin.mean, v), of_thick.value(of_thick.mean, v), share);
       });
-      if (!found.at) continue;
-      thicknesses.push_back(std::lerp(thin, thick, share));
-      speeds.push_back(*found.at);
+      if (found.at) {
+        if (!goes_on) lines.push_back({{"thickness", ordered_json::array()}, {"speed", ordered_json::array()}});
+        lines.back()["thickness"].push_back(std::lerp(curves[i - 1].first, curves[i].first, share));
+        lines.back()["speed"].push_back(*found.at);
+      }
+      goes_on = found.at.has_value();
     }
   }
-  return {{"thickness", std::move(thicknesses)}, {"speed", std::move(speeds)}};
+  return lines;
 }
 
 void add_balances(const std::vector<Point>& points, const NetThrust& thrust, double at_speed, ordered_json& out) {
@@ -308,7 +312,7 @@ void add_balances(const std::vector<Point>& points, const NetThrust& thrust, dou
       across.add(group.front().thickness(), curve.value(curve.mean, at_speed), curve.value(curve.lower, at_speed),
                  curve.value(curve.upper, at_speed));
   }
-  out["attained_line"] = attained_line(curves, thrust);
+  out["attained_lines"] = attained_lines(curves, thrust);
   ordered_json& thickness = out["thickness_at"];
   thickness = {{"speed", at_speed}};
   if (across.at.size() < 2)

@@ -34,8 +34,6 @@ constexpr std::array<const char*, kColumns + 1> kNames{"b_lc", "c_lc", "theta_de
 constexpr const char* kRemedy = "correct the line";
 /// Of a bay, b / l_c: the solver meshes no deeper one.
 constexpr double kDeepest = 5.0;
-/// h / l_c of rows that do not state it: the rounded value of the paper's validation case.
-constexpr double kUsualThickness = 0.1;
 
 std::string without_line_end(std::string line) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();

@@ -29,7 +29,7 @@ constexpr double kBeyond = 1.0;
 
 Polygon rectangle(double length, double width, const Variation& variation) {
   std::vector<Vec2> corners = variation.first_edge(width);
-  std::ranges::rotate(corners, corners.end() - 1);
+  std::rotate(corners.begin(), corners.end() - 1, corners.end());
   corners.insert(corners.begin() + 1, {Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width}});
   return {geometry::ring(corners), {}};
 }

@@ -84,7 +84,7 @@ void move_results(const fs::path& part, const fs::path& directory) {
         names.push_back(name);
     for (const char* const name : {"manifest.json", "report.html"}) fs::remove(directory / name);
     for (const fs::path& name : names) fs::remove(directory / name);
-    std::ranges::partition(names, [](const fs::path& name) { return name != "manifest.json"; });
+    std::partition(names.begin(), names.end(), [](const fs::path& name) { return name != "manifest.json"; });
     for (const fs::path& name : names) {
       fs::create_directories((directory / name).parent_path());
       fs::rename(part / name, directory / name);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -80,9 +81,11 @@ std::string resistance_chart(const Lines& lines, const ordered_json& resistance,
 }
 
 std::string attained_chart(const ordered_json& resistance) {
-  const auto line_thicknesses = resistance["attained_line"]["thickness"].get<Samples>();
-  const auto line_speeds = resistance["attained_line"]["speed"].get<Samples>();
-  Samples thicknesses = line_thicknesses, speeds = line_speeds;
+  Samples thicknesses, speeds;
+  for (const ordered_json& line : resistance["attained_lines"]) {
+    std::ranges::copy(line["thickness"].get<Samples>(), std::back_inserter(thicknesses));
+    std::ranges::copy(line["speed"].get<Samples>(), std::back_inserter(speeds));
+  }
   std::vector<std::pair<double, Samples>> points;  // thickness; speed, and the ends of its interval
   for (const ordered_json& entry : resistance["attained"]) {
     if (!entry["speed"].is_number()) continue;
@@ -99,7 +102,8 @@ std::string attained_chart(const ordered_json& resistance) {
   Chart chart(575.0, 30.0, 380.0, 300.0, "speed that the thrust attains, 95 %",
               {"ice [m]", 0.0, upper_end(0.0, std::ranges::max(thicknesses))},
               {"speed [m/s]", 0.0, upper_end(0.0, std::ranges::max(speeds))});
-  chart.line(line_thicknesses, line_speeds, kLineColours[0], 1.5);
+  for (const ordered_json& line : resistance["attained_lines"])
+    chart.line(line["thickness"].get<Samples>(), line["speed"].get<Samples>(), kLineColours[0], 1.5);
   for (const auto& [thickness, of] : points) {
     chart.point(thickness, of[0], kLineColours[0], 3.0);
     chart.line({thickness, thickness}, {of[1], of[2]}, kLineColours[0]);

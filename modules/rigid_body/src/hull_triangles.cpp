@@ -30,7 +30,7 @@ std::vector<std::array<int, 3>> hull_triangles(std::span<const Vec3> points) {
       h = surface.next(h);
     }
     if (surface.next(surface.next(surface.next(surface.halfedge(f)))) != surface.halfedge(f)) return {};
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     triangles.push_back(triangle);
   }
   std::ranges::sort(triangles);  // the order of CGAL depends on addresses

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 #include "brash/core/contract.hpp"
@@ -39,8 +38,12 @@ std::size_t values_for_half_interval(std::size_t n, double confidence) {
     return gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, count - 1.0) / std::sqrt(count);
   };
   // Four times the values always do: the quantile falls with their number.
-  const auto numbers = std::views::iota(n + 1, 4 * n + 1);
-  return *std::ranges::partition_point(numbers, [&](std::size_t m) { return width(m) > 0.5 * width(n); });
+  std::size_t too_few = n, enough = 4 * n;
+  while (enough - too_few > 1) {
+    const std::size_t middle = too_few + (enough - too_few) / 2;
+    (width(middle) > 0.5 * width(n) ? too_few : enough) = middle;
+  }
+  return enough;
 }
 
 Interval batch_means_interval(std::span<const double> samples, std::size_t n_batches, double confidence) {

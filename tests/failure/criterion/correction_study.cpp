@@ -38,8 +38,8 @@ int main(int argc, char** argv) {
   const IceProperties ice{
       .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
   const BendingOptions options{.second_order = std::atoi(argv[2]) == 1, .radial_first = std::atoi(argv[3]) == 1};
-  const auto fast = make_criterion(model::FailureModel::kSuperposition, "", ice, options),
-             exact = make_criterion(model::FailureModel::kPlate, "", ice, options);
+  const auto fast = make_criterion(brash::model::FailureModel::kSuperposition, "", ice, options),
+             exact = make_criterion(brash::model::FailureModel::kPlate, "", ice, options);
   const double l_c = characteristic_length(ice);
   std::mt19937_64 random(1);
   const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };

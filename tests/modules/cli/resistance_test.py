@@ -116,7 +116,7 @@ class Resistance(unittest.TestCase):
         self.assertEqual((thin["speed"], thin["outside"]), (None, "above"))  # 159 kN at 4 m/s, the thrust is 367
         self.assertAlmostEqual(middle["speed"], root(lambda v: thrust(v) - between(curve(0.8), v), 1.0, 4.0), 6)
         self.assertAlmostEqual(thick["speed"], root(lambda v: thrust(v) - between(curve(1.2), v), 1.0, 4.0), 6)
-        line = list(zip(found["attained_line"]["thickness"], found["attained_line"]["speed"]))
+        line = list(zip(*found["attained_lines"][0].values()))
         for h, v in ((0.8, middle["speed"]), (1.2, thick["speed"])):
             self.assertAlmostEqual(between(line, h), v, 6)
         between_points = lambda h, v: between([(x, between(curve(x), v)) for x in THICKNESSES], h)
@@ -129,6 +129,15 @@ class Resistance(unittest.TestCase):
         self.assertEqual(weak["attained"][2]["outside"], "below")
         thrust = lambda v: 3e5 * (1 - v / 24 - 2 / 3 * (v / 8)**2)
         self.assertAlmostEqual(weak["thickness_at"]["thickness"], root(lambda h: thrust(at_speed) - between(across, h), 0.4, 1.2), 6)
+
+    def test_the_attained_speed_has_a_gap_where_none_is_attained(self):
+        write_campaign(self.folder)
+        for path in self.folder.glob("cases/thickness-0.8_*/summary.json"):
+            path.write_text(json.dumps(summary(1e4, 225.0)))
+        lines = self.json(self.folder, "--bollard-pull", 1.5e5, "--open-water-speed", 8)["attained_lines"]
+        self.assertEqual(len(lines), 2)  # about 0.8 m each speed of the runs has thrust left
+        self.assertLess(max(lines[0]["thickness"]), 0.8)
+        self.assertGreater(min(lines[1]["thickness"]), 0.8)
 
     def test_the_interval_of_a_speed_is_that_of_the_resistance(self):
         write_campaign(self.folder, replicates={"r0000": 1.0})

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "brash/statistics/random.hpp"
 
@@ -67,12 +68,10 @@ BOOST_AUTO_TEST_CASE(a_long_history_is_drawn_by_rows_of_its_own_that_keep_its_ou
       auto next = drawn.begin();
       for (std::size_t first = 0; first < n; first += span) {
         const std::size_t end = std::min(first + span, n);
-        const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto all = std::ranges::minmax(
-            std::ranges::subrange(begin, rows.begin() + static_cast<std::ptrdiff_t>(end)), {}, value);
+        const auto all = std::ranges::minmax(std::span(rows).subspan(first, end - first), {}, value);
         const auto last =
             std::find_if(next, drawn.end(), [&](const auto& row) { return row.time > rows[end - 1].time; });
-        const auto some = std::ranges::minmax(std::ranges::subrange(next, last), {}, value);
+        const auto some = std::ranges::minmax(std::span(next, last), {}, value);
         BOOST_REQUIRE(value(some.min) == value(all.min));
         BOOST_REQUIRE(value(some.max) == value(all.max));
         next = last;

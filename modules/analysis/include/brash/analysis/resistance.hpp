@@ -59,7 +59,7 @@ class NetThrust {
 /// - `points`: mean resistance with its 95 % interval (of the replicates, or within the only run), its parts by cause,
 ///   coverage of the bottom, the closed forms, and whether the mean is `steady`, with the reason where it is not;
 /// - `fit`: R = k h^b v^n over all runs;
-/// - with a thrust `attained`, the speed at each thickness, `attained_line`, the speed over the thickness, and
+/// - with a thrust `attained`, the speed at each thickness, `attained_lines`, that over the thickness, and
 ///   `thickness_at`, the thickness at `at_speed` [m/s]. Means are joined by straight lines, and nothing is
 ///   extrapolated.
 ///
