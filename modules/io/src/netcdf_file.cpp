@@ -55,13 +55,6 @@ void ask_for_memory(std::size_t n_bytes, std::size_t n_together) {
   ::operator delete(::operator new(kRoom + n_bytes + kCopies * n_together));
 }
 
-/// Values of a variable that are on their way into the file.
-template <typename T>
-struct OnTheWay {
-  std::vector<T> values{};
-  std::size_t n_written = 0;
-};
-
 /// Lets the library keep a chunk of a deflated variable that is read piece by piece: it would inflate the chunk again
 /// for each piece.
 void keep_chunk(int file, int variable, std::size_t n_bytes_of_value) {
@@ -177,11 +170,15 @@ void NetcdfWriter::column(const std::string& name, const std::string& along, con
   }
   describe(variable, name, meaning);
   if (length == 0) return;
-  const auto add = [this, name, variable, length, piece, way = std::make_shared<OnTheWay<T>>()](std::vector<T> values) {
+  struct OnTheWay {
+    std::vector<T> values{};
+    std::size_t n_written = 0;
+  };
+  const auto add = [this, name, variable, length, piece, way = std::make_shared<OnTheWay>()](std::vector<T> part) {
     if (way->values.empty())
-      way->values = std::move(values);
+      way->values = std::move(part);
     else
-      way->values.insert(way->values.end(), values.begin(), values.end());
+      way->values.insert(way->values.end(), part.begin(), part.end());
     const std::size_t rest = length - way->n_written, n_here = way->values.size();
     BRASH_EXPECTS(n_here <= rest, name, n_here, rest);
     const std::size_t n = n_here == rest ? rest : n_here / piece * piece;
