@@ -21,7 +21,8 @@ FILES = ["run.nc", "history.csv", "events.csv", "summary.json"]
 
 def build(folder, compiler, flags):
     subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
-                    "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={flags}"], check=True, stdout=subprocess.DEVNULL)
+                    "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_UNITY_BUILD=ON", f"-DCMAKE_CXX_FLAGS={flags}"], check=True,
+                   stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", folder, "--target", "brash", "--", "--quiet"], check=True)
     return folder / "bin" / "brash"
 
