@@ -113,7 +113,8 @@ tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positio
   if (is_flat && !are_on_grid(positions, *points, origin)) return Ring{};
   if (result.size() < 3) return tl::unexpected(std::string("the ring has fewer than 3 different vertices"));
   if (is_flat) return tl::unexpected(std::string("the ring has no area"));
-  if (is_hole) std::reverse(result.begin() + 1, result.end());
+  // A ring without area, which crosses itself, has no orientation to give it.
+  if (is_hole && signed_area(result) != ExactArea{}) std::reverse(result.begin() + 1, result.end());
   return result;
 }
 
