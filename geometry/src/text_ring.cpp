@@ -113,7 +113,7 @@ tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positio
   if (is_flat && !are_on_grid(positions, *points, origin)) return Ring{};
   if (result.size() < 3) return tl::unexpected(std::string("the ring has fewer than 3 different vertices"));
   if (is_flat) return tl::unexpected(std::string("the ring has no area"));
-  // A ring without area, which crosses itself, has no orientation to give it.
+  // Two lobes of one area have no orientation.
   if (is_hole && signed_area(result) != ExactArea{}) std::reverse(result.begin() + 1, result.end());
   return result;
 }
